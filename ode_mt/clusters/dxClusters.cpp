@@ -29,7 +29,6 @@ void dxClusterHistory::follow(const dxClusters &before, dxClusters &now) {
     constexpr unsigned kUnnamed = 0;
     m_changes.clear();
     gatherShares(before, now);
-    for (int cluster = 0; cluster < now.dynamicCount(); ++cluster) now[cluster].name = kUnnamed;
     m_nameIsTaken.assign(before.dynamicCount(), 0);
     for (const Share &share : m_shares) {  // the largest first
         if (now[share.now].name != kUnnamed || m_nameIsTaken[share.before]) continue;

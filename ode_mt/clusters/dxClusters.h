@@ -52,7 +52,8 @@ struct dxClusterChange {
 class dxClusterHistory {
 public:
     // Names the dynamic clusters of `now`. Shares of members are taken from the largest on: a cluster gets the name of the cluster of `before` if
-    // neither has been matched yet. A cluster without a match gets a new name. Names are never reused.
+    // neither has been matched yet. A cluster without a match gets a new name. Names are never reused. Requires clusters that were added since
+    // clear().
     void follow(const dxClusters &before, dxClusters &now);
     // Requires a call when a search begins, and in a frame without one.
     void rest() { m_changes.clear(); }

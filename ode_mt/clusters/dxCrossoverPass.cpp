@@ -6,6 +6,14 @@ namespace {
 
 using Kind = dxClusterScene::Kind;
 using Slot = dxMembers::Slot;
+using Link = dxCrossoverPass::Link;
+
+// ---- Steps of which the rules consist --------------------------------------------------------------------------------------------------
+
+enum class Togetherness {
+    sharing,   // inhabitants of one cell belong together
+    touching,  // and so do those of cells with a common face: the result of flood fill when clusters are made
+};
 
 void uniteWithNeighbour(const dxClusterScene &scene, Kind kind, Slot slot, int cell, int x, int y, int z,
                         dxDisjointSets &sets) {
@@ -25,9 +33,10 @@ void forOccupiedCells(const dxClusterScene &scene, const dxClusters &clusters, V
     for (const int cell : scene.occupied()) visit(clusters.of(scene.in(cell, Kind::dynamicGeom).front()), cell);
 }
 
-void sortUnique(std::vector<Slot> &slots) {
-    std::sort(slots.begin(), slots.end());
-    slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
+template <class Value>
+void sortUnique(std::vector<Value> &values) {
+    std::sort(values.begin(), values.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
 bool inRange(const dxCellRange &range, int cell, int cells) {
@@ -36,9 +45,8 @@ bool inRange(const dxCellRange &range, int cell, int cells) {
            range.low[2] <= z && z <= range.high[2];
 }
 
-}  // namespace
-
-void dxUniteByCells(const dxClusterScene &scene, Kind kind, dxTogetherness togetherness, dxDisjointSets &sets) {
+// Unites inhabitants of one kind that belong together by their cells.
+void uniteByCells(const dxClusterScene &scene, Kind kind, Togetherness togetherness, dxDisjointSets &sets) {
     const dxClusterGrid &grid = scene.grid();
     for (const Slot slot : scene.all(kind)) {
         const dxCellRange &range = scene[slot].cells;
@@ -47,18 +55,13 @@ void dxUniteByCells(const dxClusterScene &scene, Kind kind, dxTogetherness toget
                 for (int z = range.low[2]; z <= range.high[2]; ++z) {
                     const int cell = grid.index(x, y, z);
                     sets.unite(slot, scene.in(cell, kind).front());
-                    if (togetherness == dxTogetherness::touching)
-                        uniteWithNeighbour(scene, kind, slot, cell, x, y, z, sets);
+                    if (togetherness == Togetherness::touching) uniteWithNeighbour(scene, kind, slot, cell, x, y, z, sets);
                 }
     }
 }
 
-void dxUniteByLinks(const std::vector<dxCrossoverPass::Link> &links, dxDisjointSets &sets) {
-    for (const dxCrossoverPass::Link &link : links) sets.unite(link.first, link.second);
-}
-
-void dxUniteAsBefore(const dxClusterScene &scene, Kind kind, const dxClusters &before,
-                     dxCrossoverMemory &memory) {
+// Unites inhabitants that were in one cluster before.
+void uniteAsBefore(const dxClusterScene &scene, Kind kind, const dxClusters &before, dxCrossoverMemory &memory) {
     std::vector<std::int64_t> &firstOf = memory.firstOfCluster;
     firstOf.assign(before.count(), -1);
     for (const Slot slot : scene.all(kind)) {
@@ -69,7 +72,8 @@ void dxUniteAsBefore(const dxClusterScene &scene, Kind kind, const dxClusters &b
     }
 }
 
-void dxMakeClusters(const dxClusterScene &scene, Kind kind, dxCrossoverMemory &memory, dxClusters &clusters) {
+// Makes one cluster of each set.
+void makeClusters(const dxClusterScene &scene, Kind kind, dxCrossoverMemory &memory, dxClusters &clusters) {
     memory.clusterOfRoot.assign(scene.end(), dxClusters::kNone);
     const auto join = [&](Slot slot) {
         int &cluster = memory.clusterOfRoot[memory.sets.find(slot)];
@@ -79,18 +83,20 @@ void dxMakeClusters(const dxClusterScene &scene, Kind kind, dxCrossoverMemory &m
     for (const Slot slot : scene.all(kind)) join(slot);
 }
 
-void dxClusterDynamics(const dxClusterScene &scene, const std::vector<dxCrossoverPass::Link> &links,
-                       const dxClusters *sticky, dxCrossoverMemory &memory, dxClusters &clusters) {
+// Makes dynamic clusters as all rules do. `sticky`: the clusters before, which stay merged, or null.
+void clusterDynamics(const dxClusterScene &scene, const std::vector<Link> &links, const dxClusters *sticky, dxCrossoverMemory &memory,
+                     dxClusters &clusters) {
     dxDisjointSets &sets = memory.sets;
     sets.reset(scene.end());
     const bool first = sticky == nullptr || sticky->count() == 0;
-    dxUniteByCells(scene, Kind::dynamicGeom, first ? dxTogetherness::touching : dxTogetherness::sharing, sets);
+    uniteByCells(scene, Kind::dynamicGeom, first ? Togetherness::touching : Togetherness::sharing, sets);
     dxUniteByLinks(links, sets);
-    if (sticky != nullptr) dxUniteAsBefore(scene, Kind::dynamicGeom, *sticky, memory);
-    dxMakeClusters(scene, Kind::dynamicGeom, memory, clusters);
+    if (sticky != nullptr) uniteAsBefore(scene, Kind::dynamicGeom, *sticky, memory);
+    makeClusters(scene, Kind::dynamicGeom, memory, clusters);
 }
 
-void dxPseudoMerge(const dxClusterScene &scene, dxCrossoverMemory &memory, dxClusters &clusters) {
+// Gives each dynamic cluster the static clusters with which it shares a cell; dynamic clusters around the same static one become one task.
+void pseudoMerge(const dxClusterScene &scene, dxCrossoverMemory &memory, dxClusters &clusters) {
     forOccupiedCells(scene, clusters, [&](int cluster, int cell) {
         for (const Slot slot : scene.in(cell, Kind::staticGeom))
             clusters[cluster].staticClusters.push_back(clusters.of(slot));
@@ -99,15 +105,15 @@ void dxPseudoMerge(const dxClusterScene &scene, dxCrossoverMemory &memory, dxClu
     tasks.reset(clusters.count());
     for (int cluster = 0; cluster < clusters.dynamicCount(); ++cluster) {
         std::vector<int> &statics = clusters[cluster].staticClusters;
-        std::sort(statics.begin(), statics.end());
-        statics.erase(std::unique(statics.begin(), statics.end()), statics.end());
+        sortUnique(statics);
         for (const int other : statics) tasks.unite(cluster, other);
     }
     for (int cluster = 0; cluster < clusters.dynamicCount(); ++cluster)
         clusters[cluster].task = static_cast<int>(tasks.find(cluster));
 }
 
-void dxDuplicateStatics(const dxClusterScene &scene, dxClusters &clusters) {
+// Gives each dynamic cluster the static inhabitants with which it shares a cell, big ones included.
+void duplicateStatics(const dxClusterScene &scene, dxClusters &clusters) {
     const int cells = scene.grid().cells();
     forOccupiedCells(scene, clusters, [&](int cluster, int cell) {
         std::vector<Slot> &duplicated = clusters[cluster].duplicated;
@@ -120,9 +126,7 @@ void dxDuplicateStatics(const dxClusterScene &scene, dxClusters &clusters) {
     for (int cluster = 0; cluster < clusters.dynamicCount(); ++cluster) sortUnique(clusters[cluster].duplicated);
 }
 
-// --- passes -----------------------------------------------------------------------------------------
-
-namespace {
+// ---- Passes ----------------------------------------------------------------------------------------------------------------------------
 
 // "original" (thesis chapter 2): only what is dynamic is clustered; clusters that share a cell merge and stay merged;
 // static geoms and planes are tested apart, with every cluster.
@@ -132,7 +136,7 @@ public:
     bool setsStaticsApart() const override { return true; }
     void cross(const dxClusterScene &scene, const std::vector<Link> &links, const dxClusters &before,
                dxClusters &clusters) override {
-        dxClusterDynamics(scene, links, &before, m_memory, clusters);
+        clusterDynamics(scene, links, &before, m_memory, clusters);
     }
 };
 
@@ -143,12 +147,12 @@ public:
     const char *name() const override { return "static"; }
     void cross(const dxClusterScene &scene, const std::vector<Link> &links, const dxClusters &before,
                dxClusters &clusters) override {
-        dxClusterDynamics(scene, links, &before, m_memory, clusters);
+        clusterDynamics(scene, links, &before, m_memory, clusters);
         m_memory.sets.reset(scene.end());
-        dxUniteByCells(scene, dxClusterScene::Kind::staticGeom, dxTogetherness::sharing, m_memory.sets);
-        dxUniteAsBefore(scene, dxClusterScene::Kind::staticGeom, before, m_memory);
-        dxMakeClusters(scene, dxClusterScene::Kind::staticGeom, m_memory, clusters);
-        dxPseudoMerge(scene, m_memory, clusters);
+        uniteByCells(scene, Kind::staticGeom, Togetherness::sharing, m_memory.sets);
+        uniteAsBefore(scene, Kind::staticGeom, before, m_memory);
+        makeClusters(scene, Kind::staticGeom, m_memory, clusters);
+        pseudoMerge(scene, m_memory, clusters);
     }
 };
 
@@ -159,10 +163,10 @@ public:
     const char *name() const override { return "static-unmerged"; }
     void cross(const dxClusterScene &scene, const std::vector<Link> &links, const dxClusters &before,
                dxClusters &clusters) override {
-        dxClusterDynamics(scene, links, &before, m_memory, clusters);
+        clusterDynamics(scene, links, &before, m_memory, clusters);
         m_memory.sets.reset(scene.end());
-        dxMakeClusters(scene, dxClusterScene::Kind::staticGeom, m_memory, clusters);
-        dxPseudoMerge(scene, m_memory, clusters);
+        makeClusters(scene, Kind::staticGeom, m_memory, clusters);
+        pseudoMerge(scene, m_memory, clusters);
     }
 };
 
@@ -174,8 +178,8 @@ public:
     bool listsBigStatics() const override { return true; }
     void cross(const dxClusterScene &scene, const std::vector<Link> &links, const dxClusters &before,
                dxClusters &clusters) override {
-        dxClusterDynamics(scene, links, &before, m_memory, clusters);
-        dxDuplicateStatics(scene, clusters);
+        clusterDynamics(scene, links, &before, m_memory, clusters);
+        duplicateStatics(scene, clusters);
     }
 };
 
@@ -188,12 +192,16 @@ public:
     bool splits() const override { return true; }
     void cross(const dxClusterScene &scene, const std::vector<Link> &links, const dxClusters &,
                dxClusters &clusters) override {
-        dxClusterDynamics(scene, links, nullptr, m_memory, clusters);
-        dxDuplicateStatics(scene, clusters);
+        clusterDynamics(scene, links, nullptr, m_memory, clusters);
+        duplicateStatics(scene, clusters);
     }
 };
 
 }  // namespace
+
+void dxUniteByLinks(const std::vector<Link> &links, dxDisjointSets &sets) {
+    for (const Link &link : links) sets.unite(link.first, link.second);
+}
 
 std::unique_ptr<dxCrossoverPass> dxMakeCrossoverPass(const std::string &name) {
     std::unique_ptr<dxCrossoverPass> passes[] = {std::make_unique<Original>(), std::make_unique<Static>(), std::make_unique<StaticUnmerged>(),

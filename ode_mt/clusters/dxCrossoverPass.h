@@ -15,7 +15,7 @@
 #include "clusters/dxClusters.h"
 #include "core/dxDisjointSets.h"
 
-// Scratch of the functions below, kept so that a pass takes no memory once it has run.
+// Scratch of a pass, kept so that a pass takes no memory once it has run.
 struct dxCrossoverMemory {
     dxDisjointSets sets;
     std::vector<std::int64_t> firstOfCluster;  // -1: none
@@ -45,33 +45,8 @@ protected:
     dxCrossoverMemory m_memory;
 };
 
-// --- Steps of which the rules consist ---------------------------------------------------------------
-
-enum class dxTogetherness {
-    sharing,   // inhabitants of one cell belong together
-    touching,  // and so do those of cells with a common face: the result of flood fill when clusters are made
-};
-
-// Unites inhabitants of one kind that belong together by their cells.
-void dxUniteByCells(const dxClusterScene &scene, dxClusterScene::Kind kind, dxTogetherness togetherness,
-                    dxDisjointSets &sets);
+// Unites inhabitants that are linked.
 void dxUniteByLinks(const std::vector<dxCrossoverPass::Link> &links, dxDisjointSets &sets);
-// Unites inhabitants that were in one cluster before.
-void dxUniteAsBefore(const dxClusterScene &scene, dxClusterScene::Kind kind, const dxClusters &before,
-                     dxCrossoverMemory &memory);
-// Makes one cluster of each set.
-void dxMakeClusters(const dxClusterScene &scene, dxClusterScene::Kind kind, dxCrossoverMemory &memory,
-                    dxClusters &clusters);
-
-// Makes dynamic clusters as all rules do. `sticky`: the clusters before, which stay merged, or null.
-void dxClusterDynamics(const dxClusterScene &scene, const std::vector<dxCrossoverPass::Link> &links,
-                       const dxClusters *sticky, dxCrossoverMemory &memory, dxClusters &clusters);
-
-// Gives each dynamic cluster the static clusters with which it shares a cell; dynamic clusters around the same
-// static one become one task.
-void dxPseudoMerge(const dxClusterScene &scene, dxCrossoverMemory &memory, dxClusters &clusters);
-// Gives each dynamic cluster the static inhabitants with which it shares a cell, big ones included.
-void dxDuplicateStatics(const dxClusterScene &scene, dxClusters &clusters);
 
 // Returns the pass of a name, NULL for others: "original", "static", "static-unmerged", "duplication" or "decluster".
 std::unique_ptr<dxCrossoverPass> dxMakeCrossoverPass(const std::string &name);

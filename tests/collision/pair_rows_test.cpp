@@ -176,7 +176,8 @@ TEST_F(PairRows, OfASweepComeInItsOrderAndInfiniteOnesMeetAll) {
         rows.clear(sorted.size());
         for (const std::uint32_t thing : sorted) rows.pushSwept(geomOf(thing), thing, things[thing].filter, boxes[thing]);
         for (const std::uint32_t thing : infinite) rows.pushInfinite(geomOf(thing), thing, things[thing].filter);
-        rows.finish(places);
+        for (const std::uint32_t place : places) rows.pushPlace(place);
+        rows.finish();
         ASSERT_EQ(pairsOf(rows), expected) << run;
     }
 }

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "clusters/heuristics/dxHeuristic.h"
-
 namespace {
 
 constexpr double kLeftEarly = std::numeric_limits<double>::infinity();

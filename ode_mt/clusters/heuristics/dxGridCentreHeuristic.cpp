@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "clusters/heuristics/dxHeuristic.h"
-
 void dxGridCentreHeuristic::forget() {
     m_frame = {};
     m_centre = {};

@@ -21,6 +21,8 @@ constexpr Costs kPlaced{300, 60, 0, 110, 60};     // the same, where kept pairs 
 constexpr Costs kRows{20, 20, 1.7, 3, 0};         // dxPairRows
 constexpr Costs kHashRows{50, 60, 1.7, 10, 0};    // dxHashRows
 
+bool isByRank(dxPairOrder order) { return order == dxPairOrder::List || order == dxPairOrder::Blocks; }
+
 bool isListWalk(const dxBroadphaseFacts &facts) {
     if (!facts.mayWalk) return false;
     const int minMoved = dxMinMovedToWalk(facts.order, facts.geoms);
@@ -54,12 +56,15 @@ dxBroadphaseKind chooseNeighbours(const dxBroadphaseFacts &facts) {
     return dxBroadphaseKind::VerletList;
 }
 
+// For spaces whose walk visits cells (dxHashWalker). That takes as long for a pair as finding and sorting it, so the limit is for memory: half a GB
+// while pairs are found.
+std::size_t maxPairsOfCells(std::size_t /*geoms*/) { return std::size_t{1} << 22; }
+
 }  // namespace
 
 dxBroadphaseKind dxChooseBroadphase(const dxBroadphaseFacts &facts) {
     if (isListWalk(facts)) return dxBroadphaseKind::ListWalk;
-    const bool isByRank = facts.order == dxPairOrder::List || facts.order == dxPairOrder::Blocks;
-    if (isByRank && isOrderedBruteForce(facts)) return dxBroadphaseKind::OrderedBruteForce;
+    if (isByRank(facts.order) && isOrderedBruteForce(facts)) return dxBroadphaseKind::OrderedBruteForce;
     return isBruteForce(facts) ? dxBroadphaseKind::BruteForce : chooseNeighbours(facts);
 }
 
@@ -76,8 +81,7 @@ int dxMinMovedToWalk(dxPairOrder order, int geoms) {
 
 double dxCostOfKeeping(dxPairOrder order, const dxPairWork &work) {
     if (work.changed == 0) return 0;
-    const bool isByRank = order == dxPairOrder::List || order == dxPairOrder::Blocks;
-    const Costs &costs = isByRank && work.geoms <= static_cast<std::size_t>(Threshold::kMaxOrderedBruteForce) ? kBruteForce
+    const Costs &costs = isByRank(order) && work.geoms <= static_cast<std::size_t>(Threshold::kMaxOrderedBruteForce) ? kBruteForce
                          : order == dxPairOrder::Axis ? kPlaced
                                                        : kSorted;
     const double geoms = static_cast<double>(work.geoms), changed = static_cast<double>(work.changed);
@@ -97,8 +101,6 @@ std::size_t dxMaxPairsOfWalk(std::size_t geoms) {
     return std::clamp(geoms * geoms / 32, std::size_t{1} << 19, std::size_t{1} << 24);
 }
 
-std::size_t dxMaxPairsOfCells(std::size_t) { return std::size_t{1} << 22; }
-
 dxPairLimit dxPairLimitOf(dxPairOrder order) {
-    return order == dxPairOrder::Cells ? dxMaxPairsOfCells : dxMaxPairsOfWalk;
+    return order == dxPairOrder::Cells ? maxPairsOfCells : dxMaxPairsOfWalk;
 }

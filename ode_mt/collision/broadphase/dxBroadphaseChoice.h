@@ -139,7 +139,4 @@ std::size_t dxUnlimitedPairs(std::size_t geoms);
 // For spaces whose walk tests every two boxes. Testing two boxes takes about a twentieth of the time of finding, sorting and
 // keeping a pair; and a pair takes about a hundred bytes while it is found.
 std::size_t dxMaxPairsOfWalk(std::size_t geoms);
-// For spaces whose walk visits cells (dxHashWalker). That takes as long for a pair as finding and sorting it, so the limit
-// is for memory: half a GB while pairs are found.
-std::size_t dxMaxPairsOfCells(std::size_t geoms);
 dxPairLimit dxPairLimitOf(dxPairOrder order);

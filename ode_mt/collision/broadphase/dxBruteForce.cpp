@@ -21,6 +21,11 @@ auto precedes(const dxMembers &members) {
     };
 }
 
+void keepUnchanged(const dxMembers &members, const std::vector<dxOrderedPair> &pairs, std::vector<dxOrderedPair> &kept) {
+    for (const dxOrderedPair &pair : pairs)
+        if (members.areUnchanged(pair.slots[0], pair.slots[1])) kept.push_back(pair);
+}
+
 }  // namespace
 
 void dxBruteForceBroadphase::findOverlaps(const dxMembers &members, dxTaskRunner & /*runner*/, std::vector<Match> &matches) {
@@ -42,8 +47,7 @@ void dxBruteForceBroadphase::findAllPairs(const dxMembers &members, std::vector<
     const std::size_t count = dxOverlappingPairs(m_boxes, m_boxes.size(), m_found);
     for (std::size_t i = 0; i < count; ++i) {
         const dxSlotPair &pair = m_found[i];
-        const bool isNew = members.isChanged(pair.a) || members.isChanged(pair.b);
-        if (isNew && arePresent(members, pair)) matches.push_back(pair);
+        if (!members.areUnchanged(pair.a, pair.b) && arePresent(members, pair)) matches.push_back(pair);
     }
 }
 
@@ -51,7 +55,7 @@ void dxBruteForceBroadphase::findAllPairs(const dxMembers &members, std::vector<
 void dxBruteForceBroadphase::findPairsOfChanged(const dxMembers &members, std::vector<Match> &matches) {
     m_rows.resize(m_boxes.size());
     for (const Slot slot : members.changed()) {
-        if (members[slot].geom == nullptr) continue;
+        if (!members.isPresent(slot)) continue;
         const std::size_t count = dxOverlappingRows(m_boxes, members[slot].bounds, 0, m_boxes.size(), m_rows.data());
         for (std::size_t i = 0; i < count; ++i) {
             const Slot other = m_rows[i];
@@ -89,16 +93,10 @@ std::size_t dxBruteForcePairs::update(const dxMembers &members, std::vector<dxOr
     return overlaps;
 }
 
-void dxBruteForcePairs::keepUnchanged(const dxMembers &members, const std::vector<dxOrderedPair> &pairs,
-                                      std::vector<dxOrderedPair> &kept) const {
-    for (const dxOrderedPair &pair : pairs)
-        if (!members.isChanged(pair.slots[0]) && !members.isChanged(pair.slots[1])) kept.push_back(pair);
-}
-
 void dxBruteForcePairs::gatherChanged(const dxMembers &members) {
     m_changed.clear();
     for (const Slot slot : members.changed())
-        if (members[slot].geom != nullptr) m_changed.push_back(slot);
+        if (members.isPresent(slot)) m_changed.push_back(slot);
     if (!std::is_sorted(m_changed.begin(), m_changed.end(), isInFrontOf(members)))
         std::sort(m_changed.begin(), m_changed.end(), isInFrontOf(members));
 }

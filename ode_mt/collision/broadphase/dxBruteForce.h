@@ -49,8 +49,6 @@ private:
     std::size_t findPairs(const dxMembers &members, std::size_t rows);
     std::size_t findAround(const dxMembers &members);
     void push(const dxMembers &members, std::uint32_t row, std::uint32_t otherRow);
-    void keepUnchanged(const dxMembers &members, const std::vector<dxOrderedPair> &pairs,
-                       std::vector<dxOrderedPair> &kept) const;
 
     std::vector<Slot> m_changed;             // front first
     std::vector<Slot> m_order, m_nextOrder;  // of all, front first

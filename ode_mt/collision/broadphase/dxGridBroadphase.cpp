@@ -177,8 +177,7 @@ void dxGridBroadphase::findPairsApart(const dxMembers &members, std::vector<Matc
             dxCellPairsOfBox(level->rows, box, slot, members.isChanged(slot), matches);
         for (std::size_t j = i + 1; j < m_apart.size(); ++j) {
             const Slot other = m_apart[j];
-            if ((members.isChanged(slot) || members.isChanged(other)) && box.overlaps(members[other].bounds))
-                matches.push_back({slot, other});
+            if (!members.areUnchanged(slot, other) && box.overlaps(members[other].bounds)) matches.push_back({slot, other});
         }
         if (matches.size() > m_maxMatches) return;
     }

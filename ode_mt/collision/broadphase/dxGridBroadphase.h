@@ -19,6 +19,7 @@
 #include "collision/broadphase/dxBroadphaseChoice.h"
 #include "collision/broadphase/dxBroadphase.h"
 #include "collision/broadphase/overlap/dxCellGridPairs.h"
+#include "core/dxCacheLine.h"
 #include "core/dxRadixSort.h"
 
 class dxGridBroadphase final : public dxBroadphase {
@@ -66,7 +67,7 @@ private:
     std::vector<Slot> m_smaller;
     dxCellRows m_smallerRows;
     std::vector<dxSortItem> m_items, m_spare;
-    struct alignas(64) Found {
+    struct alignas(kCacheLine) Found {
         std::vector<Match> matches;
     };
     std::vector<Found> m_found;  // by worker

@@ -33,12 +33,10 @@ bool dxNeighbours::move(Slot slot, const dxBounds &box) {
     const dReal distance = distanceBetween(node.last, box);
     node.last = box;
     if (node.stored.contains(box)) return false;
-    takeOut(slot);
+    remove(slot);
     store(slot, box.isProper() ? box.grown(marginOf(box.longestEdge(), distance)) : box);
     return true;
 }
-
-void dxNeighbours::remove(Slot slot) { takeOut(slot); }
 
 void dxNeighbours::store(Slot slot, const dxBounds &stored) {
     Node &node = m_nodes[slot];
@@ -49,7 +47,7 @@ void dxNeighbours::store(Slot slot, const dxBounds &stored) {
     m_grid.insert(slot, node.stored);
 }
 
-void dxNeighbours::takeOut(Slot slot) {
+void dxNeighbours::remove(Slot slot) {
     m_grid.remove(slot);
     unlinkAll(slot);
 }

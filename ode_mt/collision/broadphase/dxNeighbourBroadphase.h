@@ -40,7 +40,6 @@ private:
     };
 
     void store(Slot slot, const dxBounds &stored);
-    void takeOut(Slot slot);
     void link(Slot a, Slot b);
     void unlinkAll(Slot slot);
 

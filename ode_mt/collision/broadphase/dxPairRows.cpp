@@ -13,10 +13,6 @@ void dxPairRows::makeRoom() {
     if (m_found.size() < geoms()) m_found.resize(geoms());
 }
 
-void dxPairRows::fillColumns() {
-    for (const dxBounds &box : m_listed) m_boxes.push(box);
-}
-
 std::size_t dxPairRows::find(std::size_t row) { return keepAgreeing(row, findFrom(row + 1, m_boxes, box(row))); }
 
 // Branch-free in the result of the filters: where they exclude about half of the pairs, a branch would be mispredicted.

@@ -30,7 +30,7 @@ public:
     // Requires a call after the last push(). Then nothing allocates memory.
     void finish() {
         makeRoom();
-        fillColumns();
+        for (const dxBounds &box : m_listed) m_boxes.push(box);
     }
 
     std::size_t geoms() const { return m_elements.size(); }
@@ -59,8 +59,6 @@ protected:
     }
     // Makes room for what a row finds.
     void makeRoom();
-    // Copies the boxes to m_boxes.
-    void fillColumns();
     // Requires an element that was added with its box, before all that were not.
     const dxBounds &box(std::size_t element) const { return m_listed[element]; }
     // Finds the elements from `begin` on, up to `end`, that overlap a box, and counts them.

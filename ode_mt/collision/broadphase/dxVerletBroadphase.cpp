@@ -1,6 +1,5 @@
 #include "collision/broadphase/dxVerletBroadphase.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstring>
 

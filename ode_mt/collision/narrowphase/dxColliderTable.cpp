@@ -130,24 +130,18 @@ int dxColliderTable::createClass(const dGeomClass *description) {
 void dxColliderTable::setOverride(int type1, int type2, dColliderFn *collider) {
     dxUpstreamSetColliderOverride(type1, type2, collider);
     if (!areClasses(type1, type2)) return;
-    dxColliderOverrides::note(type1, type2);
+    overridden[type1][type2] = overridden[type2][type1] = true;
     const Entry entry = collider != nullptr ? Entry::other : Entry::none;
     dispatch->set(type1, type2, entry, entry);
 }
 
 void dxColliderTable::forget() {
     dispatch->forget();
-    dxColliderOverrides::forget();
-}
-
-void dxColliderOverrides::note(int type1, int type2) { overridden[type1][type2] = overridden[type2][type1] = true; }
-
-bool dxColliderOverrides::has(int type1, int type2) {
-    return overridden[type1][type2].load(std::memory_order_relaxed);
-}
-
-void dxColliderOverrides::forget() {
     for (auto &row : overridden) {
         for (std::atomic<bool> &entry : row) entry.store(false, std::memory_order_relaxed);
     }
+}
+
+bool dxColliderOverrides::has(int type1, int type2) {
+    return overridden[type1][type2].load(std::memory_order_relaxed);
 }

@@ -28,8 +28,6 @@ void forget();
 // process, too.
 namespace dxColliderOverrides {
 
-void note(int type1, int type2);  // in both orders
-bool has(int type1, int type2);
-void forget();
+bool has(int type1, int type2);  // in either order
 
 }  // namespace dxColliderOverrides

@@ -1,7 +1,5 @@
 #include "collision/narrowphase/dxConcurrentColliders.h"
 
-#include <cstddef>
-#include <cstring>
 #include <initializer_list>
 #include <new>
 

@@ -10,9 +10,11 @@
 #include "collision/narrowphase/dxColliderTable.h"
 #include "collision/pairs/dxPairPrefetch.h"
 #include "collision/pairs/dxUnnoticedChanges.h"
+#include "core/dxNoIndex.h"
 #include "core/dxReserve.h"
 #include "threading/dxFloatEnvironment.h"
 #include "threading/dxSchedulePoints.h"
+#include "threading/dxStackFrame.h"
 #include "threading/dxUpstreamScope.h"
 
 #include "collision_kernel.h"

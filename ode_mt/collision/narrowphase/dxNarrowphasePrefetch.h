@@ -33,8 +33,7 @@
 #include "collision/narrowphase/dxConcurrentColliders.h"
 #include "collision/pairs/dxMembers.h"
 #include "collision/pairs/dxPair.h"
-#include "core/dxNoIndex.h"
-#include "threading/dxStackFrame.h"
+#include "core/dxCacheLine.h"
 #include "threading/dxTaskRunner.h"
 
 class dxNarrowphasePrefetch {
@@ -109,7 +108,7 @@ private:
         std::uint64_t first, second;
     };
 
-    struct alignas(64) Worker {
+    struct alignas(kCacheLine) Worker {
         std::vector<dContactGeom> contacts;  // of the batch; from `used` on they hold the pattern
         std::size_t used = 0;
         std::vector<States> states;   // of pairs of which one is not 0

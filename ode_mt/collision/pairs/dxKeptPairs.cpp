@@ -132,15 +132,12 @@ void dxKeptPairs::removeUnplaced() {
 
 // Merges the pairs of the last call of which both geoms are unchanged with the new pairs.
 void dxKeptPairs::merge(const dxMembers &members, std::vector<dxOrderedPair> &pairs) {
-    const auto isKept = [&](const dxOrderedPair &pair) {
-        return !members.isChanged(pair.slots[0]) && !members.isChanged(pair.slots[1]);
-    };
     m_keptKeys.clear();
     m_keptPairs.clear();
     // No pair is kept if fewer than two members are unchanged.
     const std::size_t candidates = members.end() - members.changed().size() < 2 ? 0 : pairs.size();
     for (std::size_t i = 0; i < candidates; ++i) {
-        if (!isKept(pairs[i])) continue;
+        if (!members.areUnchanged(pairs[i].slots[0], pairs[i].slots[1])) continue;
         m_keptKeys.push_back(m_keys[i]);
         m_keptPairs.push_back(pairs[i]);
     }

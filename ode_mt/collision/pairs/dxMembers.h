@@ -87,6 +87,7 @@ public:
     // Returns the changed slots, including those of members that were removed or became absent.
     const std::vector<Slot> &changed() const { return m_changed; }
     bool isChanged(Slot slot) const { return m_isChanged[slot] != 0; }
+    bool areUnchanged(Slot a, Slot b) const { return !isChanged(a) && !isChanged(b); }
     void setBounds(Slot slot, const dxBounds &bounds, const dxPairFilter &filter = {}) {
         Member &member = m_members[slot];
         member.bounds = bounds;

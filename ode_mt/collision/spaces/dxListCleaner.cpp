@@ -26,6 +26,13 @@ void computeBadBoxes(dxGeom *geom) {
     }
 }
 
+// Executes upstream's collide2 from a member on. Returns the number of members met.
+std::size_t collideFrom(dxGeom *member, void *data, dxGeom *geom, dNearCallback *callback) {
+    dxGeomQuery query(data, geom, callback);
+    for (; member != nullptr; member = member->next) query.meet(member);
+    return query.met();
+}
+
 }  // namespace
 
 bool dxListCleaner::isAtRest() const {
@@ -209,12 +216,6 @@ void dxListCleaner::rankBehindClean(dxGeom *geom, dxRank next) {
         m_geoms.rank(geom, next--);
     }
     m_isIrregular = isIrregular;
-}
-
-std::size_t dxListQuery::collideFrom(dxGeom *member, void *data, dxGeom *geom, dNearCallback *callback) {
-    dxGeomQuery query(data, geom, callback);
-    for (; member != nullptr; member = member->next) query.meet(member);
-    return query.met();
 }
 
 bool dxListQuery::collideAll(dxSpaceGeoms &geoms, const dxListCleaner &cleaner, void *data, dxGeom *geom, dNearCallback *callback) {

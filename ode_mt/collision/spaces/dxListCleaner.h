@@ -84,9 +84,6 @@ private:
 // dSpaceCollide2 in both kinds of spaces.
 namespace dxListQuery {
 
-// Executes upstream's collide2 from a member on. Returns the number of members met.
-std::size_t collideFrom(dxGeom *member, void *data, dxGeom *geom, dNearCallback *callback);
-
 // Executes upstream's collide2 for a space that is clean and does not need an index, without a look at what is kept of its members. For other spaces,
 // or while another thread is cleaning, it returns false and does nothing.
 bool collideAll(dxSpaceGeoms &geoms, const dxListCleaner &cleaner, void *data, dxGeom *geom, dNearCallback *callback);

@@ -5,7 +5,6 @@
 #include "collision/narrowphase/dxHeightField.h"
 #include "threading/timeline/dxTimeline.h"
 
-#include "collision_space_internal.h"
 #include "util.h"
 
 namespace {

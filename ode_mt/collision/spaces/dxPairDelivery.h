@@ -14,6 +14,8 @@
 #include "collision/spaces/dxOrderedSpace.h"
 #include "core/dxBounds.h"
 
+#include "collision_space_internal.h"
+
 // Returns whether the geom's class is a user's and its box test excludes the other geom. Upstream's classes have no such test.
 inline bool dxRefusesBoxOf(dxGeom *geom, dxGeom *other) {
     return geom->type >= dFirstUserClass && geom->AABBTest(other, other->aabb) == 0;

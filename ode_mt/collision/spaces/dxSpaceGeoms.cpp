@@ -119,9 +119,9 @@ bool dxSpaceGeoms::isWorthWalking(int moved, std::size_t comparisons) const {
     return dxChooseBroadphase(facts) == dxBroadphaseKind::ListWalk;
 }
 
-bool dxSpaceGeoms::lookForStaleGeoms() {
+void dxSpaceGeoms::lookForStaleGeoms() {
     const std::unique_lock<std::mutex> alone(m_lookingForStaleGeoms, std::try_to_lock);
-    if (!alone) return true;
+    if (!alone) return;
     const std::uint64_t missed = dxMissedNotifications.count();
     bool hasStaleGeoms = m_cleaner.readAgain();
     for (dxGeom *geom = m_space.first; geom != nullptr && !hasStaleGeoms; geom = geom->next) {
@@ -130,7 +130,6 @@ bool dxSpaceGeoms::lookForStaleGeoms() {
     }
     m_hasStaleGeoms.store(hasStaleGeoms, std::memory_order_relaxed);
     m_notificationsMissed.store(missed, std::memory_order_release);
-    return true;
 }
 
 void dxSpaceGeoms::noteStaleGeoms() {

@@ -27,7 +27,6 @@
 #include "threading/dxTaskRunner.h"
 
 #include "collision_kernel.h"
-#include "collision_space_internal.h"
 #include "config.h"
 #include "objects.h"
 
@@ -113,7 +112,11 @@ public:
 
     // Returns whether there may be stale geoms; the boxes of these may change without a notification. It costs nothing while no notification has been
     // missed. Otherwise all members are examined, by one of several threads that ask.
-    bool mayHaveStaleGeoms() { return !isSure() && lookForStaleGeoms(); }
+    bool mayHaveStaleGeoms() {
+        if (isSure()) return false;
+        lookForStaleGeoms();
+        return true;
+    }
     // Returns whether there are certainly none.
     bool isSure() const {
         return m_notificationsMissed.load(std::memory_order_acquire) == dxMissedNotifications.count() &&
@@ -166,7 +169,7 @@ public:
     }
 
 private:
-    bool lookForStaleGeoms();
+    void lookForStaleGeoms();
     bool applySwitches();
     // Returns whether a call in progress may have no data of the geom in a slot, as it is disabled. A walk reads the current flags.
     bool isLeftOut(Slot slot) const { return m_walking ? !dxGeomIsEnabled(m_members.geomIn(slot)) : !m_members.isPresent(slot); }

@@ -8,7 +8,6 @@
 #include "collision/spaces/dxPairDelivery.h"
 #include "core/dxNoIndex.h"
 
-#include "collision_space_internal.h"
 #include "util.h"
 
 namespace {

@@ -32,10 +32,7 @@ dxOrderedQuadTreeSpace::dxOrderedQuadTreeSpace(dSpaceID parent, const dReal *cen
     : dxOrderedSpace(parent, dQuadTreeSpaceClass, dxPairOrder::Blocks, m_cleaner, m_order, m_walker), m_tree(centre, extents, depth),
       m_cleaner(geoms(), foundPairs(), m_tree), m_order(geoms(), foundPairs(), m_tree, m_cleaner.ranks()),
       m_walker(*this, m_tree, m_cleaner, m_order) {
-    for (int axis = 0; axis < 3; ++axis) {
-        aabb[2 * axis] = -dInfinity;
-        aabb[2 * axis + 1] = dInfinity;
-    }
+    dInfiniteAABB(this, aabb);
 }
 
 // Upstream frees its blocks and leaves geoms that point to them (tome_ex), so spaces that read this field refuse to add these geoms from then on.

@@ -5,7 +5,6 @@
 #include "collision/spaces/dxPairDelivery.h"
 #include "core/dxPrefetch.h"
 
-#include "collision_space_internal.h"
 #include "util.h"
 
 namespace {

@@ -12,16 +12,12 @@
 void dxSapRows::clear(std::size_t swept) {
     dxPairRows::clear();
     m_columns.resize(swept);
+    m_places.clear();
 }
 
 void dxSapRows::pushSwept(dxGeom *geom, Slot slot, const dxPairFilter &filter, const dxSapBox &box) {
     m_columns.set(geoms(), box);
     pushElement(geom, slot, filter);
-}
-
-void dxSapRows::finish(const std::vector<std::uint32_t> &places) {
-    m_places = places;
-    makeRoom();
 }
 
 std::size_t dxSapRows::find(std::size_t row) {
@@ -77,7 +73,7 @@ void dxSapPairOrder::update(std::vector<dxOrderedPair> &pairs, dxPairWork &work)
     m_matches.clear();
     for (std::size_t i = 0; i < std::min(m_sweptPairs, pairs.size()); ++i) {
         const Slot a = pairs[i].slots[0], b = pairs[i].slots[1];
-        if (!m_geoms.members().isChanged(a) && !m_geoms.members().isChanged(b)) m_matches.push_back({a, b});
+        if (m_geoms.members().areUnchanged(a, b)) m_matches.push_back({a, b});
     }
     pairs.clear();
     m_pairs.findAndPlace(m_matches, pairs);
@@ -93,10 +89,9 @@ dxPairRows &dxSapPairOrder::gatherRows() {
     m_rows.clear(m_inOrder.size());
     for (const Slot slot : m_inOrder) m_rows.pushSwept(members[slot].geom, slot, members[slot].filter, m_state.members[slot].box);
     for (const Slot slot : m_infinite) m_rows.pushInfinite(members[slot].geom, slot, members[slot].filter);
-    m_places.clear();
     if (!m_infinite.empty())
-        for (const Slot slot : m_swept) m_places.push_back(m_state.members[slot].position);
-    m_rows.finish(m_places);
+        for (const Slot slot : m_swept) m_rows.pushPlace(m_state.members[slot].position);
+    m_rows.finish();
     return m_rows;
 }
 

@@ -28,9 +28,10 @@ public:
     void pushSwept(dxGeom *geom, Slot slot, const dxPairFilter &filter, const dxSapBox &box);
     // Adds a geom that is infinite on the axis. Requires the order of the list, and that all swept geoms have been added.
     void pushInfinite(dxGeom *geom, Slot slot, const dxPairFilter &filter) { pushElement(geom, slot, filter); }
-    // Requires a call after the last geom was added. `places`: the places in the sort of the swept geoms, which are in the order of the list; read
-    // only if there are infinite geoms.
-    void finish(const std::vector<std::uint32_t> &places);
+    // Adds the place of a swept geom in the sort. Requires the order of the list. Places are read only if there are infinite geoms.
+    void pushPlace(std::uint32_t place) { m_places.push_back(place); }
+    // Requires a call after the last geom was added.
+    void finish() { makeRoom(); }
 
     // Each swept geom with those behind it; then each infinite one with those behind it and all that are swept.
     std::size_t find(std::size_t row) override;
@@ -40,7 +41,7 @@ private:
 
     dxMeetBehindKernel m_meetBehind = dxKernelOfMeetBehind();
     dxSapColumns m_columns;  // of swept geoms
-    std::vector<std::uint32_t> m_places;
+    std::vector<std::uint32_t> m_places;  // of swept geoms in the sort, in the order of the list
 };
 
 class dxSapPairOrder final : public dxSpacePairOrder {
@@ -79,7 +80,6 @@ private:
     std::vector<Slot> m_inOrder;
     bool m_isSorted = false;  // m_inOrder is that of m_swept
     dxSapRows m_rows;
-    std::vector<std::uint32_t> m_places;  // by index in m_swept: place in m_inOrder
-    std::vector<dxSlotPair> m_matches;    // scratch
-    std::size_t m_sweptPairs = 0;         // number of the pairs, all in front, of which both geoms are swept
+    std::vector<dxSlotPair> m_matches;  // scratch
+    std::size_t m_sweptPairs = 0;       // number of the pairs, all in front, of which both geoms are swept
 };

@@ -6,6 +6,16 @@
 #include "collision/spaces/dxPairDelivery.h"
 #include "seams/assertions.h"
 
+namespace {
+
+// Delivers one pair as upstream does. Returns whether bits and bodies let it pass.
+bool deliverPair(dxGeom *g1, dxGeom *g2, void *data, dNearCallback *callback) {
+    dxSapWalk::requireCleanBoxes(g1, g2);
+    return dxDeliverIfAgreed(g1, g2, data, callback);
+}
+
+}  // namespace
+
 // Raises upstream's assertion for the first or the second geom of a pair.
 void dxSapWalk::reportUncleanBox(bool isFirst) {
     dxFailUpstreamAssertion(isFirst ? "(g1->gflags & GEOM_AABB_BAD)==0" : "(g2->gflags & GEOM_AABB_BAD)==0", "collideGeomsNoAABBs",
@@ -80,11 +90,6 @@ void dxSapWalk::sweepAsUpstream(const std::vector<std::uint32_t> &order) {
         m_comparisons += static_cast<std::size_t>(later - next);
     }
     m_found = m_pairs.size();
-}
-
-bool dxSapWalk::deliverPair(dxGeom *g1, dxGeom *g2, void *data, dNearCallback *callback) {
-    requireCleanBoxes(g1, g2);
-    return dxDeliverIfAgreed(g1, g2, data, callback);
 }
 
 // As in upstream, the indices of a pair mean entries of the lists when the pair's turn comes. The sizes of the lists are read once, when the pairs of

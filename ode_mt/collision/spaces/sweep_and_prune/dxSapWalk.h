@@ -16,8 +16,6 @@
 #include "collision/spaces/sweep_and_prune/dxSapSort.h"
 #include "collision/spaces/sweep_and_prune/dxSapState.h"
 
-struct dxOrderedPair;
-
 // Upstream's lists of the geoms that a call sweeps. They belong to its space: a call of dSpaceCollide that is nested in a callback of another one
 // fills them again. If a geom has been enabled or disabled, the indices in the outer call's pairs then mean other geoms. Entries behind the end of
 // the new lists keep what they had.
@@ -58,6 +56,8 @@ public:
 
     // Forgets the geoms and pairs of the last call, and reserves memory for a number of geoms.
     void begin(std::size_t geoms);
+    // Forgets the geoms and pairs, and frees their memory.
+    void freeMemory() { *this = dxSapWalk(m_axes); }
     // Adds a geom. Requires the order of the list, and enabled geoms.
     void add(dxGeom *geom);
     void findPairs(dxSapSort &sort);
@@ -92,8 +92,6 @@ private:
     };
 
     static void reportUncleanBox(bool isFirst);
-    // Delivers one pair as upstream does. Returns whether bits and bodies let it pass.
-    static bool deliverPair(dxGeom *first, dxGeom *second, void *data, dNearCallback *callback);
 
     // Requires that no key is NaN.
     void sweep(const std::vector<std::uint32_t> &order);
@@ -113,7 +111,7 @@ private:
 // The walk of the last outermost call that walked. A call may deliver it again while nothing changes.
 class dxSapLastWalk {
 public:
-    explicit dxSapLastWalk(const dxSapAxes &axes) : m_axes(axes), m_walk(axes) {}
+    explicit dxSapLastWalk(const dxSapAxes &axes) : m_walk(axes) {}
 
     dxSapWalk &walk() { return m_walk; }
     // Returns whether no member has been added, removed, moved, enabled or disabled since.
@@ -126,7 +124,7 @@ public:
     // Invalidates the walk and frees its memory.
     void discard() {
         m_isCurrent = false;
-        m_walk = dxSapWalk(m_axes);
+        m_walk.freeMemory();
     }
     // Returns whether the outermost call in progress delivers it.
     bool isDelivered() const { return m_isDelivered; }
@@ -145,7 +143,6 @@ public:
     bool takeSorted() { return std::exchange(m_hasSorted, false); }
 
 private:
-    const dxSapAxes m_axes;
     dxSapWalk m_walk;
     dxSapTemporaryLists m_lists;
     bool m_isCurrent = false, m_isDelivered = false, m_hasSorted = false;
