@@ -802,7 +802,8 @@ ODE_API int dODE_MT_GetRemoteStatistics(dODE_MT_RemoteStatistics *statistics);
 
 /**
  * Starts to record what each thread does in steps and collisions, for a file that https://ui.perfetto.dev and chrome://tracing
- * open (docs/tools.md). ODE_MT_TRACE does the same from the first step or collision on. No result changes.
+ * open (docs/tools.md). ODE_MT_TRACE does the same from the first step or collision on, unless the program has started or stopped a trace before.
+ * No result changes.
  *
  * The last 8192 events of each thread are kept in memory, half a MiB a thread. The file is written by dODE_MT_FlushTrace, dODE_MT_StopTrace
  * and dCloseODE, when the process ends by exit, or when the library is unloaded; each time anew, with all events that are kept. A process that

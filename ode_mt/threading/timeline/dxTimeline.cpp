@@ -255,7 +255,7 @@ std::atomic<bool> dxTimeline::s_flushIsRequested{false};
 
 // A thread keeps its ring, also while nothing is recorded.
 dxTimelineRing *dxTimeline::findRing() try {
-    if (s_state.load(std::memory_order_relaxed) == kUnread) readEnvironment();
+    if (s_state.load(std::memory_order_relaxed) == kUnread) readEnvironment(dxEnvironment(dxVariable::Trace));
     if (s_state.load(std::memory_order_acquire) == kOff || t_isRefused) return nullptr;
     if (t_ring == nullptr) t_ring = rings->give();
     t_isRefused = t_ring == nullptr;
@@ -265,18 +265,17 @@ dxTimelineRing *dxTimeline::findRing() try {
 }
 
 // If several threads are the first at the same time, one starts the trace. The others record nothing until it has.
-void dxTimeline::readEnvironment() {
-    const char *const path = dxEnvironment(dxVariable::Trace);
+void dxTimeline::readEnvironment(const char *tracePath) {
     unsigned char unread = kUnread;
     if (!s_state.compare_exchange_strong(unread, kOff)) return;
-    if (path != nullptr) report(start(path), path);
+    if (tracePath != nullptr) report(start(tracePath), tracePath);
     if (dxGetLogLevel() >= dxLogLevel::Info || dxEnvironment(dxVariable::Statistics) != nullptr) startCounting();
 }
 
 // The environment is read first.
 void dxTimeline::startCounting() {
     if (isCounted()) return;
-    if (s_state.load(std::memory_order_relaxed) == kUnread) readEnvironment();
+    if (s_state.load(std::memory_order_relaxed) == kUnread) readEnvironment(dxEnvironment(dxVariable::Trace));
     rings->startCounting();
     s_state.fetch_or(kCounted, std::memory_order_release);
 }
@@ -299,7 +298,9 @@ int dxTimeline::stop() {
     return result;
 }
 
+// Whoever starts or stops a trace before the first event decides in place of ODE_MT_TRACE. Statistics are recorded as the environment says.
 void dxTimeline::end() {
+    if (s_state.load(std::memory_order_relaxed) == kUnread) readEnvironment(nullptr);
     s_state.fetch_and(kCounted, std::memory_order_relaxed);
     s_flushIsRequested.store(false, std::memory_order_relaxed);
     rings->stop();

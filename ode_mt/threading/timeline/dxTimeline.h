@@ -55,7 +55,8 @@ private:
     static constexpr unsigned char kOff = 0, kTraced = 1, kCounted = 2, kUnread = 4;  // unread: the environment
 
     static dxTimelineRing *findRing();
-    static void readEnvironment();
+    // Starts what the environment asks for. `tracePath`: of the trace to start, null: none.
+    static void readEnvironment(const char *tracePath);
     static void end();
     static void flushAsRequested();
 
