@@ -37,6 +37,13 @@ const CatalogueEntry kCatalogue[] = {
      Stepper::Quick, makeThingsOnHeightField},
     {"convex", "N convex polyhedra and cylinders dropped on one another", "solids", 2000, 100'000,
      Stepper::Quick, makeConvex},
+    {"pyramid", "Box3D's large_pyramid: a flat pyramid of cubes, N at its base", "cubes", 100, 1000, Stepper::Quick, makePyramid},
+    {"pyramids", "Box3D's many_pyramids: 196 of them, N cubes at the base of each", "cubes", 10, 100, Stepper::Quick, makePyramids},
+    {"joint_grid", "Box3D's joint_grid: a hanging net of N by N balls on ball joints", "balls a side", 100, 1000, Stepper::Quick, makeJointGrid},
+    {"convex_pile", "Box3D's convex_pile: N layers of 64 convex rocks of 32 corners", "layers", 80, 10'000, Stepper::Quick, makeConvexPile},
+    {"junkyard", "Box3D's junkyard: N layers of 441 convex rocks in a yard that a column sweeps", "layers", 24, 1000, Stepper::Quick,
+     makeJunkyard},
+    {"washer", "Box3D's washer: N by N by N cubes in a drum that turns", "cubes a side", 20, 28, Stepper::Quick, makeWasher},
     {"rays", "N rays of moving sensors cast among 5000 shapes", "rays", 10'000, 1'000'000, Stepper::Quick,
      makeRays},
 };

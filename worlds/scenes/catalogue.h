@@ -10,9 +10,14 @@ namespace scenes {
 std::unique_ptr<Scene> makeChain(const SceneOptions &options);
 std::unique_ptr<Scene> makeChurn(const SceneOptions &options);
 std::unique_ptr<Scene> makeConvex(const SceneOptions &options);
+std::unique_ptr<Scene> makeConvexPile(const SceneOptions &options);
 std::unique_ptr<Scene> makeCrowd(const SceneOptions &options);
 std::unique_ptr<Scene> makeHumanoids(const SceneOptions &options);
+std::unique_ptr<Scene> makeJointGrid(const SceneOptions &options);
+std::unique_ptr<Scene> makeJunkyard(const SceneOptions &options);
 std::unique_ptr<Scene> makePile(const SceneOptions &options);
+std::unique_ptr<Scene> makePyramid(const SceneOptions &options);
+std::unique_ptr<Scene> makePyramids(const SceneOptions &options);
 std::unique_ptr<Scene> makeRagdolls(const SceneOptions &options);
 std::unique_ptr<Scene> makeRays(const SceneOptions &options);
 std::unique_ptr<Scene> makeRover(const SceneOptions &options);
@@ -25,6 +30,7 @@ std::unique_ptr<Scene> makeVehiclesOnMesh(const SceneOptions &options);
 std::unique_ptr<Scene> makeVehiclesOnHeightField(const SceneOptions &options);
 std::unique_ptr<Scene> makeWall(const SceneOptions &options);
 std::unique_ptr<Scene> makeWalls(const SceneOptions &options);
+std::unique_ptr<Scene> makeWasher(const SceneOptions &options);
 
 // One scene as the user sees it.
 struct CatalogueEntry {

@@ -1,5 +1,6 @@
 #include "scenes/polyhedron.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace scenes {
@@ -13,6 +14,35 @@ Vector3 cross(const Vector3 &a, const Vector3 &b) {
 }
 
 dReal length(const Vector3 &a) { return std::sqrt(dot(a, a)); }
+
+// Adds the face of the hull that has the three corners, unless it is there already. Three corners have none if they lie on a line, or if there are
+// points on both sides of them.
+void addFaceOf(const std::vector<Vector3> &points, unsigned i, unsigned j, unsigned k, std::vector<Polyhedron::Face> &faces) {
+    Vector3 normal = cross(points[j] - points[i], points[k] - points[i]);
+    const dReal size = length(normal), tolerance = REAL(1e-6) * std::sqrt(size);  // m: of the points' distances
+    if (!(size > 0)) return;
+    normal = 1 / size * normal;
+    Polyhedron::Face face;
+    bool isAbove = false, isBelow = false;
+    for (unsigned p = 0; p < points.size(); ++p) {
+        const dReal above = dot(normal, points[p] - points[i]);
+        if (std::fabs(above) <= tolerance)
+            face.push_back(p);
+        else
+            (above > 0 ? isAbove : isBelow) = true;
+    }
+    if (isAbove && isBelow) return;
+    if (isAbove) normal = -1 * normal;
+    Vector3 centre;
+    for (const unsigned p : face) centre = centre + REAL(1.0) / static_cast<dReal>(face.size()) * points[p];
+    const Vector3 across = points[face[0]] - centre, along = cross(normal, across);
+    const auto angle = [&](unsigned p) { return std::atan2(dot(along, points[p] - centre), dot(across, points[p] - centre)); };
+    std::sort(face.begin() + 1, face.end(), [&](unsigned a, unsigned b) {
+        const dReal first = angle(a), second = angle(b);
+        return (first < 0 ? first + 7 : first) < (second < 0 ? second + 7 : second);
+    });
+    if (std::find(faces.begin(), faces.end(), face) == faces.end()) faces.push_back(face);
+}
 
 }  // namespace
 
@@ -81,6 +111,14 @@ Polyhedron Polyhedron::cutCube(dReal side) {
     return {corners, faces};
 }
 
+Polyhedron Polyhedron::hullOf(const std::vector<Vector3> &points) {
+    std::vector<Face> faces;
+    for (unsigned i = 0; i < points.size(); ++i)
+        for (unsigned j = i + 1; j < points.size(); ++j)
+            for (unsigned k = j + 1; k < points.size(); ++k) addFaceOf(points, i, j, k, faces);
+    return {points, faces};
+}
+
 dGeomID Polyhedron::createGeom(dSpaceID space) const {
     return dCreateConvex(space, m_planes.data(), static_cast<unsigned>(m_planes.size() / 4), &m_corners[0].x,
                          static_cast<unsigned>(m_corners.size()), m_polygons.data());
@@ -90,6 +128,15 @@ dReal Polyhedron::meanRadius() const {
     dReal sum = 0;
     for (const Vector3 &corner : m_corners) sum += length(corner);
     return sum / static_cast<dReal>(m_corners.size());
+}
+
+// Of pyramids from the origin to triangles of each face.
+dReal Polyhedron::volume() const {
+    dReal sum = 0;
+    for (std::size_t at = 0; at < m_polygons.size(); at += m_polygons[at] + 1)
+        for (unsigned i = 2; i < m_polygons[at]; ++i)
+            sum += dot(m_corners[m_polygons[at + 1]], cross(m_corners[m_polygons[at + i]], m_corners[m_polygons[at + i + 1]]));
+    return sum / 6;
 }
 
 }  // namespace scenes

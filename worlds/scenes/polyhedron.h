@@ -18,10 +18,12 @@ public:
     static Polyhedron octahedron(const Vector3 &halfAxes);
     static Polyhedron hexagonalPrism(dReal radius, dReal height);  // along z
     static Polyhedron cutCube(dReal side);  // its corners cut off through the middles of its edges
+    static Polyhedron hullOf(const std::vector<Vector3> &points);  // each of which is a corner; time: the fourth power of their number
 
     dGeomID createGeom(dSpaceID space) const;
 
     dReal meanRadius() const;  // m, mean distance of the corners from the origin
+    dReal volume() const;      // m³
 
     const std::vector<Vector3> &corners() const { return m_corners; }
     // Four numbers a face, a b c d: what is inside has a x + b y + c z < d; (a b c) is a unit vector.

@@ -42,6 +42,11 @@ WorldScene::WorldScene(const SceneOptions &options, dReal stepSize)
     m_inventory.spaces.push_back(m_space);
 }
 
+void WorldScene::useBox3DDefaults() {
+    dWorldSetGravity(m_world, 0, 0, -10);
+    m_surface.mu = REAL(0.6);
+}
+
 WorldScene::~WorldScene() {
     dJointGroupDestroy(m_contactGroup);
     dSpaceDestroy(m_space);

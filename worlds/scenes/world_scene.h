@@ -71,6 +71,9 @@ protected:
     // Returns the surface of every contact of the pair. The default is m_surface.
     virtual dSurfaceParameters surface(dGeomID, dGeomID) const { return m_surface; }
 
+    // Gravity and friction of Box3D's defaults: 10 m/s², 0.6.
+    void useBox3DDefaults();
+
     dSurfaceParameters m_surface{};  // Coulomb pyramid with friction 0.8, slightly soft
 
 private:
