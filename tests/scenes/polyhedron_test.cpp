@@ -18,10 +18,20 @@ struct Solid {
     std::size_t corners, edges, faces;
 };
 
+std::vector<Vector3> cornersOfBox() {
+    std::vector<Vector3> corners;
+    for (const dReal x : {-1, 1})
+        for (const dReal y : {-2, 2})
+            for (const dReal z : {-3, 3}) corners.push_back({x, y, z});
+    return corners;
+}
+
 std::vector<Solid> solids() {
     return {{"octahedron", Polyhedron::octahedron({1, 2, 3}), 6, 12, 8},
             {"prism", Polyhedron::hexagonalPrism(2, 3), 12, 18, 8},
-            {"cut cube", Polyhedron::cutCube(2), 12, 24, 14}};
+            {"cut cube", Polyhedron::cutCube(2), 12, 24, 14},
+            {"hull of a box", Polyhedron::hullOf(cornersOfBox()), 8, 12, 6},
+            {"hull of a cut cube", Polyhedron::hullOf(Polyhedron::cutCube(2).corners()), 12, 24, 14}};
 }
 
 std::vector<Polyhedron::Face> facesOf(const Polyhedron &solid) {
@@ -77,4 +87,10 @@ TEST(Polyhedron, HaveTheSizesAskedFor) {
     EXPECT_NEAR(Polyhedron::octahedron({1, 2, 3}).meanRadius(), 2, 1e-6);
     EXPECT_NEAR(Polyhedron::hexagonalPrism(2, 3).meanRadius(), 2.5, 1e-6);
     EXPECT_NEAR(Polyhedron::cutCube(2).meanRadius(), std::sqrt(2.0), 1e-6);
+}
+
+TEST(Polyhedron, VolumesAreThoseOfTheSolids) {
+    EXPECT_NEAR(Polyhedron::hullOf(cornersOfBox()).volume(), 48, 1e-4);
+    EXPECT_NEAR(Polyhedron::octahedron({1, 2, 3}).volume(), 8, 1e-5);       // 4/3 of the product of its half axes
+    EXPECT_NEAR(Polyhedron::cutCube(2).volume(), 8 * 5.0 / 6, 1e-5);        // a cube without eight corners of 1/48 each
 }
