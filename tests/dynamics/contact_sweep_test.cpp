@@ -15,6 +15,8 @@
 
 namespace {
 
+constexpr double kRounding = 1e-5;  // of floats whose size is about 1
+
 using Vector = std::array<double, 3>;
 
 double dot(const Vector &a, const Vector &b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -22,11 +24,11 @@ Vector cross(const Vector &a, const Vector &b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-// One pack of eight manifolds, each between two bodies of its own, or one and the static environment. Lane 7 is empty, lane 6 has
-// one contact less than the others.
+// One pack of manifolds, each between two bodies of its own, or one and the static environment. Lane 7 is empty, lane 6 has one contact less than the
+// others.
 class Pack {
 public:
-    static constexpr unsigned kBodies = 16, kContacts = 3;
+    static constexpr unsigned kBodies = 2 * dxLanes::kCount, kContacts = 3;
 
     explicit Pack(unsigned seed, bool hasResponses = true)
         : m_random(seed),
@@ -59,7 +61,7 @@ public:
     dxContactLanes &contact(unsigned i) { return m_contacts[i]; }
     double energyOf(unsigned lane) const { return m_energies[0].lane[lane]; }
 
-    bool has(unsigned lane, unsigned contact) const { return lane < 6 || (lane == 6 && contact + 1 < kContacts); }
+    bool has(unsigned lane, unsigned contact) const { return lane != 7 && (lane != 6 || contact + 1 < kContacts); }
 
     // The velocity along a row, of the pack's velocities or of those that the impulses give.
     double velocityAlong(const std::vector<dxSpatialMotion> &velocities, unsigned lane, unsigned contact, unsigned row) const {
@@ -86,7 +88,7 @@ public:
     }
 
 private:
-    double number() { return std::uniform_real_distribution<double>(-1, 1)(m_random); }
+    float number() { return std::uniform_real_distribution<float>(-1, 1)(m_random); }
 
     static Vector vectorOf(const dxLaneNumbers *numbers, unsigned lane) {
         return {numbers[0].lane[lane], numbers[1].lane[lane], numbers[2].lane[lane]};
@@ -111,12 +113,11 @@ private:
             if (lane == 4 && side == 1) continue;  // moves on its own
             pack.target[side][lane] = body;
             pack.inverseMass[side].lane[lane] = 1 + number() / 2;
-            const double inertia[6] = {2 + number() / 2, number() / 4, number() / 4,
-                                       2 + number() / 2, number() / 4, 2 + number() / 2};
+            const float inertia[6] = {2 + number() / 2, number() / 4, number() / 4, 2 + number() / 2, number() / 4, 2 + number() / 2};
             for (int i = 0; i < 6; ++i) pack.inverseInertia[side][i].lane[lane] = inertia[i];
         }
         for (auto &dAB : pack.dAB)
-            if (lane < 5 || lane == 6) dAB.lane[lane] = number();
+            if (lane != 5 && lane != 7) dAB.lane[lane] = number();
         for (unsigned i = 0; i < kContacts; ++i)
             if (has(lane, i)) fillContact(m_contacts[i], lane);
     }
@@ -125,16 +126,16 @@ private:
         Vector normal = {number(), number(), number()};
         const double length = std::sqrt(dot(normal, normal));
         for (int axis = 0; axis < 3; ++axis) {
-            contact.direction[dxContactLanes::kNormal][axis].lane[lane] = normal[static_cast<std::size_t>(axis)] / length;
+            contact.direction[dxContactLanes::kNormal][axis].lane[lane] = static_cast<float>(normal[static_cast<std::size_t>(axis)] / length);
             contact.rA[axis].lane[lane] = number();
         }
         for (int row = 0; row < 3; ++row) {
             contact.bias[row].lane[lane] = number();
-            contact.softness[row].lane[lane] = 0.05;
+            contact.softness[row].lane[lane] = 0.05f;
         }
         for (int tangent = 0; tangent < 2; ++tangent) {
-            contact.friction[tangent].lane[lane] = lane % 2 == 0 ? 0.5 : 0;
-            contact.limit[tangent].lane[lane] = lane % 2 == 0 ? 0 : 0.1;
+            contact.friction[tangent].lane[lane] = lane % 2 == 0 ? 0.5f : 0;
+            contact.limit[tangent].lane[lane] = lane % 2 == 0 ? 0 : 0.1f;
         }
     }
 
@@ -172,7 +173,7 @@ TEST(ContactSweep, PreparesThreeDirectionsAtRightAngles) {
     onAllInstructionSets([] {
         Pack pack(1);
         pack.prepare();
-        for (unsigned lane = 0; lane < 7; ++lane)
+        for (unsigned lane = 0; lane < dxLanes::kCount; ++lane)
             for (unsigned i = 0; i < Pack::kContacts; ++i) {
                 if (!pack.has(lane, i)) continue;
                 for (unsigned a = 0; a < 3; ++a)
@@ -181,7 +182,7 @@ TEST(ContactSweep, PreparesThreeDirectionsAtRightAngles) {
                         for (int axis = 0; axis < 3; ++axis)
                             product +=
                                 pack.contact(i).direction[a][axis].lane[lane] * pack.contact(i).direction[b][axis].lane[lane];
-                        EXPECT_NEAR(product, a == b ? 1 : 0, 1e-12);
+                        EXPECT_NEAR(product, a == b ? 1 : 0, 1e-6);
                     }
             }
     });
@@ -190,9 +191,9 @@ TEST(ContactSweep, PreparesThreeDirectionsAtRightAngles) {
 TEST(ContactSweep, KeepsAGivenDirection) {
     onAllInstructionSets([] {
         Pack pack(2);
-        for (int axis = 0; axis < 3; ++axis) pack.contact(0).direction[dxContactLanes::kTangent][axis].lane[3] = 0.3 * (axis + 1);
+        for (int axis = 0; axis < 3; ++axis) pack.contact(0).direction[dxContactLanes::kTangent][axis].lane[3] = 0.25f * static_cast<float>(axis + 1);
         pack.prepare();
-        for (int axis = 0; axis < 3; ++axis) EXPECT_EQ(pack.contact(0).direction[dxContactLanes::kTangent][axis].lane[3], 0.3 * (axis + 1));
+        for (int axis = 0; axis < 3; ++axis) EXPECT_EQ(pack.contact(0).direction[dxContactLanes::kTangent][axis].lane[3], 0.25f * static_cast<float>(axis + 1));
     });
 }
 
@@ -204,8 +205,8 @@ TEST(ContactSweep, FindsForcesThatSolveTheConditions) {
             pack.apply();
             double change = 0;
             for (int i = 0; i < 3000; ++i) change = pack.sweep(i % 2 == 0 ? dReal(1) : dReal(1.3));
-            EXPECT_LT(change, 1e-12);
-            for (unsigned lane = 0; lane < 7; ++lane)
+            EXPECT_LT(change, 1e-6);  // sliding contacts: the limit of friction changes by roundings of the normal's impulse
+            for (unsigned lane = 0; lane < dxLanes::kCount; ++lane)
                 for (unsigned i = 0; i < Pack::kContacts; ++i) {
                     if (!pack.has(lane, i)) continue;
                     const dxContactLanes &contact = pack.contact(i);
@@ -218,10 +219,10 @@ TEST(ContactSweep, FindsForcesThatSolveTheConditions) {
                                                      : contact.friction[row - 1].lane[lane] * contact.impulse[dxContactLanes::kNormal].lane[lane] +
                                                            contact.limit[row - 1].lane[lane];
                         const double low = row == 0 ? 0 : -high;
-                        EXPECT_GE(impulse, low - 1e-12);
-                        EXPECT_LE(impulse, high + 1e-12);
-                        if (impulse > low + 1e-9) EXPECT_GT(missing, -1e-9);
-                        if (impulse < high - 1e-9) EXPECT_LT(missing, 1e-9);
+                        EXPECT_GE(impulse, low - kRounding);
+                        EXPECT_LE(impulse, high + kRounding);
+                        if (impulse > low + kRounding) EXPECT_GT(missing, -kRounding);
+                        if (impulse < high - kRounding) EXPECT_LT(missing, kRounding);
                     }
                 }
         }
@@ -233,13 +234,13 @@ TEST(ContactSweep, LeavesTheVelocitiesThatTheForcesGive) {
         for (unsigned seed = 0; seed < 20; ++seed) {
             Pack pack(seed);
             for (unsigned i = 0; i < Pack::kContacts; ++i)  // a force of the last step, in the world's frame
-                for (int axis = 0; axis < 3; ++axis) pack.contact(i).impulse[axis].lane[0] = 0.1 * axis;
+                for (int axis = 0; axis < 3; ++axis) pack.contact(i).impulse[axis].lane[0] = 0.1f * static_cast<float>(axis);
             pack.prepare();
             pack.apply();
             for (int i = 0; i < 5; ++i) pack.sweep();
             const std::vector<dxSpatialMotion> expected = pack.expectedVelocities();
             for (unsigned body = 0; body < Pack::kBodies; ++body)
-                for (int k = 0; k < 6; ++k) EXPECT_NEAR(pack.velocities()[body].columns[k], expected[body].columns[k], 1e-11);
+                for (int k = 0; k < 6; ++k) EXPECT_NEAR(pack.velocities()[body].columns[k], expected[body].columns[k], kRounding);
         }
     });
 }
@@ -252,13 +253,13 @@ TEST(ContactSweep, FindsTheEnergyOfAppliedImpulses) {
             Pack pack(seed);
             for (unsigned i = 0; i < Pack::kContacts; ++i)
                 for (int axis = 0; axis < 3; ++axis)
-                    for (unsigned lane = 0; lane < 7; ++lane)
-                        if (pack.has(lane, i)) pack.contact(i).impulse[axis].lane[lane] = 0.3 * axis - 0.05 * lane;
+                    for (unsigned lane = 0; lane < dxLanes::kCount; ++lane)
+                        if (pack.has(lane, i)) pack.contact(i).impulse[axis].lane[lane] = 0.3f * static_cast<float>(axis) - 0.05f * static_cast<float>(lane);
             pack.prepare();
             const std::vector<dxSpatialMotion> before = pack.velocities();
             const double found = pack.apply();
             double sum = 0;
-            for (unsigned lane = 0; lane < 7; ++lane) {
+            for (unsigned lane = 0; lane < dxLanes::kCount; ++lane) {
                 double expected = 0;
                 for (unsigned i = 0; i < Pack::kContacts; ++i) {
                     if (!pack.has(lane, i)) continue;
@@ -271,10 +272,10 @@ TEST(ContactSweep, FindsTheEnergyOfAppliedImpulses) {
                                                contact.softness[row].lane[lane] * impulse / 2);
                     }
                 }
-                EXPECT_NEAR(pack.energyOf(lane), expected, 1e-11) << "lane " << lane;
+                EXPECT_NEAR(pack.energyOf(lane), expected, kRounding) << "lane " << lane;
                 sum += expected;
             }
-            EXPECT_NEAR(found, sum, 1e-10);
+            EXPECT_NEAR(found, sum, dxLanes::kCount * kRounding);
         }
     });
 }
@@ -291,7 +292,7 @@ TEST(ContactSweep, FindsTheSameWithoutResponses) {
             }
             for (unsigned body = 0; body < Pack::kBodies; ++body)
                 for (int k = 0; k < 6; ++k)
-                    EXPECT_NEAR(with.velocities()[body].columns[k], without.velocities()[body].columns[k], 1e-6);
+                    EXPECT_NEAR(with.velocities()[body].columns[k], without.velocities()[body].columns[k], kRounding);
         }
     });
 }
@@ -301,7 +302,7 @@ TEST(ContactSweep, LeavesBodiesAloneThatDoNotMove) {
         Pack pack(4), same(4);
         pack.prepare();
         for (int i = 0; i < 5; ++i) pack.sweep();
-        for (const unsigned body : {9u, 11u, 14u, 15u, 16u})
+        for (const unsigned body : {9u, 11u, 14u, 15u, Pack::kBodies})
             EXPECT_TRUE(std::equal(pack.velocities()[body].columns, pack.velocities()[body].columns + 6,
                                    same.velocities()[body].columns));
     });

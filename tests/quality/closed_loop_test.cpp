@@ -61,13 +61,13 @@ protected:
         return all;
     }
 
-    // Names what is worse.
-    std::string worse(const std::vector<json> &measured) const {
+    // Names what is worse, by more than a factor.
+    std::string worse(const std::vector<json> &measured, double factor = 1) const {
         std::ostringstream names;
         for (const auto &[quantity, entry] : measured[0].items()) {
             const std::vector<double> judged = errors(measured, quantity);
             const double median = judged[judged.size() / 2], most = errors(m_debian, quantity).back();
-            if (median <= most + double(entry["slack"])) continue;
+            if (median <= factor * most + double(entry["slack"])) continue;
             names << quantity << ' ' << median << " instead of at most " << most << ' ' << std::string(entry["unit"]) << '\n';
         }
         return names.str();
@@ -79,14 +79,16 @@ private:
 };
 
 TEST_P(ClosedLoop, FastIsNoWorse) {
-    const auto worseWith = [&](const Engine &engine) {
+    const auto worseWith = [&](const Engine &engine, double factor = 1) {
         std::vector<json> fast;
         for (const int iterations : kNear) fast.push_back(measure(engine, GetParam(), iterations));
-        return worse(fast);
+        return worse(fast, factor);
     };
     EXPECT_EQ(worseWith(Engine::fast()), "");
     if (isOfGrid(GetParam())) {
-        EXPECT_EQ(worseWith(Engine::fast({{"ODE_MT_WARM_START", "0"}})), "") << "without forces of the last step";
+        // A measured exception of docs/solvers.md.
+        const double factor = GetParam() == "wall_5x10_60hz_20it_mu05" ? 1.5 : 1;
+        EXPECT_EQ(worseWith(Engine::fast({{"ODE_MT_WARM_START", "0"}}), factor), "") << "without forces of the last step";
     }
 }
 

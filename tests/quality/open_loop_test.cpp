@@ -40,10 +40,10 @@ struct Exception {
     Limits limits;
 };
 constexpr Exception kExceptions[] = {
-    {"bouncing", false, 50, {3.4, 3.4}},   {"heavy_deck", false, 10, {1.25, 1.5}}, {"pile:200", true, 50, {1.35, 1.65}},
-    {"stacks:4", true, 150, {1.4, 1.5}},   {"wall:6", true, 50, {1.5, 1.6}},       {"rover:4", true, 50, {1.1, 1.7}},
-    {"conveyor", true, 10, {1.45, 1.5}},   {"conveyor", true, 20, {1.55, 1.6}},    {"fixed_friction", true, 50, {1.55, 1.6}},
-    {"bouncing", true, 20, {1.3, 1.15}},   {"infinite_friction", true, 50, {1.2, 1.1}}};
+    {"heavy_deck", false, 10, {1.25, 1.5}}, {"pile:200", true, 50, {1.35, 1.65}},       {"stacks:4", true, 150, {1.4, 1.5}},
+    {"wall:6", true, 50, {1.5, 1.6}},       {"rover:4", true, 50, {1.1, 1.7}},          {"conveyor", true, 10, {1.45, 1.5}},
+    {"conveyor", true, 20, {1.55, 1.6}},    {"fixed_friction", true, 50, {1.55, 1.6}}, {"infinite_friction", true, 50, {1.2, 1.1}},
+    {"bouncing", true, 150, {1.25, 1.3}}};
 
 Limits limitsOf(const std::string &scene, bool isCold, int iterations) {
     for (const Exception &exception : kExceptions)
@@ -110,6 +110,7 @@ struct Scene {
     const char *name;
     int frames;           // before the first problem
     int enough = 20;      // iterations that half of them are worse than; more where residuals fall slowly
+    int problems = 10;    // more where they differ: of bouncing balls the ratio of residuals is 0.03 to 10
 };
 
 std::ostream &operator<<(std::ostream &stream, const Scene &scene) { return stream << scene.name; }
@@ -133,15 +134,15 @@ constexpr Scene kScenes[] = {{"pile:200", 60},
                              {"deck", 20},
                              {"heavy_deck", 20},
                              {"mass_ratio", 40, 400},
-                             {"bouncing", 60},
+                             {"bouncing", 60, 20, 100},
                              {"bridge", 60, 400}};
 
 class OpenLoop : public testing::TestWithParam<Scene> {
 protected:
     // The scene's own steps; their problems are saved.
     Norms run(const Engine &engine, int iterations) {
-        return normsOf(answerOf(engine, {"run", GetParam().name, "--frames", std::to_string(GetParam().frames), "--problems", "10", "--iterations",
-                                         std::to_string(iterations), "--save", m_problems})["steps"]);
+        return normsOf(answerOf(engine, {"run", GetParam().name, "--frames", std::to_string(GetParam().frames), "--problems", std::to_string(GetParam().problems),
+                                         "--iterations", std::to_string(iterations), "--save", m_problems})["steps"]);
     }
     // The saved problems.
     Norms replay(const Engine &engine, int iterations) {

@@ -40,7 +40,7 @@ bool isSolvedFast(const dxWorld *world) { return dxWorldSettings::of(world).isFa
 // Small islands of a fast dWorldQuickStep are solved together, in groups. 1200: a group of this many bodies and joints still fits L2; each of its
 // contacts is a lane of a vector, and two islands of 600 would not fill the lanes. 40: in a group with other joints contacts are rows, and sweeps are
 // shorter if it fits L1; such a group only saves preparations of tiny islands.
-constexpr dxGroupSizes kFastQuickStepGroups = {1200, 40};
+constexpr dxGroupSizes kFastQuickStepGroups = {2400, 40};
 
 // Returns null if there is no memory: then a step begins with zero forces, and SOR solves it.
 dxFastQuickStepState *beginFastQuickStep(const dxStepCall &call) try {

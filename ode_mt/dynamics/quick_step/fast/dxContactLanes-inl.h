@@ -10,8 +10,6 @@
 
 #include <hwy/highway.h>
 
-#include <type_traits>
-
 #include "dynamics/quick_step/fast/dxContactPack.h"
 #include "dynamics/step/islands/dxIslandProblem.h"
 
@@ -21,151 +19,195 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-using LaneTag = hn::CappedTag<dReal, dxLanes::kCount>;
+using LaneTag = hn::CappedTag<float, dxLanes::kCount>;
 using Lane = hn::Vec<LaneTag>;
 constexpr unsigned kLanes = hn::MaxLanes(LaneTag());
 constexpr unsigned kNormal = dxContactLanes::kNormal, kTangent = dxContactLanes::kTangent;
 
-// Linear and angular velocities of kLanes bodies, by component.
+// Velocities of kLanes bodies, by component: linear, then angular.
 struct Motion {
-    Lane v[3], w[3];
+    Lane column[6];
 };
 
-#if HWY_TARGET != HWY_SCALAR
+#if HWY_MAX_BYTES >= 32
 
-// A block is two numbers. From [a0 a1 a2 a3] and [b0 ...] they take the even blocks [a0 b0 a2 b2] and the odd ones [a1 b1 a3 b3].
+using RowTag = hn::CappedTag<float, 8>;  // six velocities of one body, and two zeros
+using PairTag = hn::Repartition<double, LaneTag>;
+
+// Calls load(tag, offset), which returns dReals of a body's row from an offset on, and returns the row as floats.
+template <class Row = RowTag, class Load>
+HWY_INLINE hn::Vec<Row> loadRow(const Load &load) {
+    const Row d;
+    const hn::Half<Row> half;
+    const hn::Half<decltype(half)> quarter;
+    if constexpr (sizeof(dReal) == sizeof(float)) {
+        return load(d, 0);
+    } else if constexpr (HWY_MAX_BYTES >= 8 * sizeof(dReal)) {
+        return hn::DemoteTo(d, load(hn::Rebind<dReal, Row>(), 0));
+    } else {
+        const auto low = hn::DemoteTo(half, load(hn::Rebind<dReal, decltype(half)>(), 0));
+        return hn::Combine(d, hn::ZeroExtendVector(half, hn::DemoteTo(quarter, load(hn::Rebind<dReal, decltype(quarter)>(), 4))), low);
+    }
+}
+
+// Numbers of a row from an offset on, and zeros behind them.
+template <class Tag>
+HWY_INLINE hn::Vec<Tag> loadSix(Tag d, const dReal *row, unsigned offset) {
+    if constexpr (hn::MaxLanes(Tag()) == 8) {
+        return hn::MaskedLoad(hn::FirstN(d, 6), d, row);
+    } else {
+        return hn::LoadU(d, row + offset);
+    }
+}
+
+struct BodyRow {
+    const dReal *const *rows;
+    HWY_INLINE hn::Vec<RowTag> operator()(unsigned i) const {
+        return loadRow([this, i](auto d, unsigned offset) HWY_ATTR { return loadSix(d, rows[i], offset); });
+    }
+};
+
+// The difference of two rows, which is rounded to floats afterwards: two bodies may move together much faster than they move apart.
+struct BodyRowDifference {
+    const dReal *const *rows, *const *others;
+    HWY_INLINE hn::Vec<RowTag> operator()(unsigned i) const {
+        return loadRow([this, i](auto d, unsigned offset) HWY_ATTR { return hn::Sub(loadSix(d, rows[i], offset), loadSix(d, others[i], offset)); });
+    }
+};
+
+// Adds floats to the dReals of a row.
+template <class Row = RowTag>
+HWY_INLINE void addRow(hn::Vec<Row> change, dReal *row) {
+    const Row d;
+    const hn::Half<Row> half;
+    const hn::Half<decltype(half)> quarter;
+    if constexpr (sizeof(dReal) == sizeof(float)) {
+        hn::StoreU(hn::Add(loadSix(d, row, 0), change), d, row);
+    } else if constexpr (HWY_MAX_BYTES >= 8 * sizeof(dReal)) {
+        const hn::Rebind<dReal, Row> eight;
+        hn::StoreU(hn::Add(loadSix(eight, row, 0), hn::PromoteTo(eight, change)), eight, row);
+    } else {
+        const hn::Rebind<dReal, decltype(half)> four;
+        const hn::Rebind<dReal, decltype(quarter)> two;
+        const auto high = hn::LowerHalf(quarter, hn::UpperHalf(half, change));
+        hn::StoreU(hn::Add(loadSix(four, row, 0), hn::PromoteTo(four, hn::LowerHalf(half, change))), four, row);
+        hn::StoreU(hn::Add(loadSix(two, row, 4), hn::PromoteTo(two, high)), two, row + 4);
+    }
+}
+
+// A block is four numbers. From [a0 a1 a2 a3] and [b0 ...] these take the even blocks [a0 b0 a2 b2] and the odd ones [a1 b1 a3 b3].
 HWY_INLINE Lane evenBlocks(Lane a, Lane b) { return hn::OddEvenBlocks(hn::SwapAdjacentBlocks(b), a); }
 HWY_INLINE Lane oddBlocks(Lane a, Lane b) { return hn::OddEvenBlocks(b, hn::SwapAdjacentBlocks(a)); }
 
-// A row is the eight numbers of one body.
-HWY_INLINE Motion loadEight(const dReal *const *rows) {
+// Transposes the 4 x 4 numbers of each block.
+HWY_INLINE void transposeBlocks(Lane (&rows)[4]) {
     const LaneTag d;
-    Lane low[4], high[4];  // components 0, 2, 4, 6 and 1, 3, 5, 7 of two rows
-    for (unsigned i = 0; i < 4; ++i) {
-        const Lane a = hn::LoadU(d, rows[2 * i]), b = hn::LoadU(d, rows[2 * i + 1]);
-        low[i] = hn::InterleaveLower(d, a, b);
-        high[i] = hn::InterleaveUpper(d, a, b);
-    }
-    const Lane evenLow0 = evenBlocks(low[0], low[1]), evenLow1 = evenBlocks(low[2], low[3]);
-    const Lane oddLow0 = oddBlocks(low[0], low[1]), oddLow1 = oddBlocks(low[2], low[3]);
-    const Lane evenHigh0 = evenBlocks(high[0], high[1]), evenHigh1 = evenBlocks(high[2], high[3]);
-    const Lane oddHigh0 = oddBlocks(high[0], high[1]), oddHigh1 = oddBlocks(high[2], high[3]);
-    return {{hn::ConcatLowerLower(d, evenLow1, evenLow0), hn::ConcatLowerLower(d, evenHigh1, evenHigh0),
-             hn::ConcatLowerLower(d, oddLow1, oddLow0)},
-            {hn::ConcatLowerLower(d, oddHigh1, oddHigh0), hn::ConcatUpperUpper(d, evenLow1, evenLow0),
-             hn::ConcatUpperUpper(d, evenHigh1, evenHigh0)}};
+    const PairTag pairs;
+    const auto low01 = hn::BitCast(pairs, hn::InterleaveLower(d, rows[0], rows[1]));
+    const auto low23 = hn::BitCast(pairs, hn::InterleaveLower(d, rows[2], rows[3]));
+    const auto high01 = hn::BitCast(pairs, hn::InterleaveUpper(d, rows[0], rows[1]));
+    const auto high23 = hn::BitCast(pairs, hn::InterleaveUpper(d, rows[2], rows[3]));
+    rows[0] = hn::BitCast(d, hn::InterleaveLower(pairs, low01, low23));
+    rows[1] = hn::BitCast(d, hn::InterleaveUpper(pairs, low01, low23));
+    rows[2] = hn::BitCast(d, hn::InterleaveLower(pairs, high01, high23));
+    rows[3] = hn::BitCast(d, hn::InterleaveUpper(pairs, high01, high23));
 }
 
-HWY_INLINE void storeEight(const Motion &motion, dReal *const *rows) {
-    const LaneTag d;
-    const Lane none = hn::Zero(d);
-    const Lane evenLow0 = hn::ConcatLowerLower(d, motion.w[1], motion.v[0]),
-               evenLow1 = hn::ConcatUpperUpper(d, motion.w[1], motion.v[0]);
-    const Lane evenHigh0 = hn::ConcatLowerLower(d, motion.w[2], motion.v[1]),
-               evenHigh1 = hn::ConcatUpperUpper(d, motion.w[2], motion.v[1]);
-    const Lane oddLow0 = hn::ConcatLowerLower(d, none, motion.v[2]), oddLow1 = hn::ConcatUpperUpper(d, none, motion.v[2]);
-    const Lane oddHigh0 = hn::ConcatLowerLower(d, none, motion.w[0]), oddHigh1 = hn::ConcatUpperUpper(d, none, motion.w[0]);
-    const Lane low[4] = {evenBlocks(evenLow0, oddLow0), oddBlocks(evenLow0, oddLow0), evenBlocks(evenLow1, oddLow1),
-                         oddBlocks(evenLow1, oddLow1)};
-    const Lane high[4] = {evenBlocks(evenHigh0, oddHigh0), oddBlocks(evenHigh0, oddHigh0), evenBlocks(evenHigh1, oddHigh1),
-                          oddBlocks(evenHigh1, oddHigh1)};
-    for (unsigned i = 0; i < 4; ++i) {
-        hn::StoreU(hn::InterleaveLower(d, low[i], high[i]), d, rows[2 * i]);
-        hn::StoreU(hn::InterleaveUpper(d, low[i], high[i]), d, rows[2 * i + 1]);
+// Row i, and beside it row i + 8 where vectors have 16 numbers.
+template <class Row, class Tag = LaneTag>
+HWY_INLINE hn::Vec<Tag> loadRows(const Row &row, unsigned i) {
+    if constexpr (hn::MaxLanes(Tag()) == 16) {
+        return hn::Combine(Tag(), row(i + 8), row(i));
+    } else {
+        return row(i);
     }
 }
 
-// Transpose components [first, first + 4) of four rows.
-HWY_INLINE void loadFour(const dReal *const *rows, unsigned first, Lane *columns) {
-    const LaneTag d;
-    const Lane a = hn::LoadU(d, rows[0] + first), b = hn::LoadU(d, rows[1] + first);
-    const Lane c = hn::LoadU(d, rows[2] + first), e = hn::LoadU(d, rows[3] + first);
-    const Lane low0 = hn::InterleaveLower(d, a, b), high0 = hn::InterleaveUpper(d, a, b);
-    const Lane low1 = hn::InterleaveLower(d, c, e), high1 = hn::InterleaveUpper(d, c, e);
-    columns[0] = hn::ConcatLowerLower(d, low1, low0);
-    columns[1] = hn::ConcatLowerLower(d, high1, high0);
-    columns[2] = hn::ConcatUpperUpper(d, low1, low0);
-    columns[3] = hn::ConcatUpperUpper(d, high1, high0);
+template <class Tag = LaneTag>
+HWY_INLINE void addRows(hn::Vec<Tag> changes, dReal *const *rows, unsigned i) {
+    if constexpr (hn::MaxLanes(Tag()) == 16) {
+        addRow(hn::LowerHalf(RowTag(), changes), rows[i]);
+        addRow(hn::UpperHalf(hn::Half<Tag>(), changes), rows[i + 8]);
+    } else {
+        addRow(changes, rows[i]);
+    }
 }
 
-HWY_INLINE void storeFour(const Lane *columns, unsigned first, dReal *const *rows) {
-    const LaneTag d;
-    const Lane low0 = hn::ConcatLowerLower(d, columns[2], columns[0]), low1 = hn::ConcatUpperUpper(d, columns[2], columns[0]);
-    const Lane high0 = hn::ConcatLowerLower(d, columns[3], columns[1]), high1 = hn::ConcatUpperUpper(d, columns[3], columns[1]);
-    hn::StoreU(hn::InterleaveLower(d, low0, high0), d, rows[0] + first);
-    hn::StoreU(hn::InterleaveUpper(d, low0, high0), d, rows[1] + first);
-    hn::StoreU(hn::InterleaveLower(d, low1, high1), d, rows[2] + first);
-    hn::StoreU(hn::InterleaveUpper(d, low1, high1), d, rows[3] + first);
+template <class Row>
+HWY_INLINE Motion loadByBlocks(const Row &row) {
+    Lane a[4], b[4];  // rows 0 to 3 and 4 to 7; then columns, of which 0 to 3 are in even blocks
+    for (unsigned i = 0; i < 4; ++i) {
+        a[i] = loadRows(row, i);
+        b[i] = loadRows(row, i + 4);
+    }
+    transposeBlocks(a);
+    transposeBlocks(b);
+    return {{evenBlocks(a[0], b[0]), evenBlocks(a[1], b[1]), evenBlocks(a[2], b[2]), evenBlocks(a[3], b[3]), oddBlocks(a[0], b[0]),
+             oddBlocks(a[1], b[1])}};
+}
+
+HWY_INLINE void addByBlocks(const Motion &change, dReal *const *rows) {
+    const Lane none = hn::Zero(LaneTag());
+    const Lane *const column = change.column;
+    Lane a[4] = {evenBlocks(column[0], column[4]), evenBlocks(column[1], column[5]), evenBlocks(column[2], none), evenBlocks(column[3], none)};
+    Lane b[4] = {oddBlocks(column[0], column[4]), oddBlocks(column[1], column[5]), oddBlocks(column[2], none), oddBlocks(column[3], none)};
+    transposeBlocks(a);
+    transposeBlocks(b);
+    for (unsigned i = 0; i < 4; ++i) {
+        addRows(a[i], rows, i);
+        addRows(b[i], rows, i + 4);
+    }
 }
 
 #endif
 
 // These take any number of lanes, through memory.
-HWY_INLINE Motion loadByElements(const dReal *const *rows) {
-    const LaneTag d;
-    HWY_ALIGN dReal columns[6][dxLanes::kCount];
+template <class Number>
+HWY_INLINE Motion loadByElements(const Number &number) {
+    HWY_ALIGN float columns[6][dxLanes::kCount];
     for (unsigned row = 0; row < kLanes; ++row)
-        for (unsigned i = 0; i < 6; ++i) columns[i][row] = rows[row][i];
-    return {{hn::Load(d, columns[0]), hn::Load(d, columns[1]), hn::Load(d, columns[2])},
-            {hn::Load(d, columns[3]), hn::Load(d, columns[4]), hn::Load(d, columns[5])}};
+        for (unsigned i = 0; i < 6; ++i) columns[i][row] = static_cast<float>(number(row, i));
+    Motion motion;
+    for (unsigned i = 0; i < 6; ++i) motion.column[i] = hn::Load(LaneTag(), columns[i]);
+    return motion;
 }
 
-HWY_INLINE void storeByElements(const Motion &motion, dReal *const *rows) {
-    const LaneTag d;
-    HWY_ALIGN dReal columns[6][dxLanes::kCount];
-    for (unsigned i = 0; i < 3; ++i) {
-        hn::Store(motion.v[i], d, columns[i]);
-        hn::Store(motion.w[i], d, columns[3 + i]);
-    }
+HWY_INLINE void addByElements(const Motion &change, dReal *const *rows) {
+    HWY_ALIGN float columns[6][dxLanes::kCount];
+    for (unsigned i = 0; i < 6; ++i) hn::Store(change.column[i], LaneTag(), columns[i]);
     for (unsigned row = 0; row < kLanes; ++row)
-        for (unsigned i = 0; i < 6; ++i) rows[row][i] = columns[i][row];
+        for (unsigned i = 0; i < 6; ++i) rows[row][i] += columns[i][row];
 }
 
 // `rows`: kLanes bodies.
 HWY_INLINE Motion loadMotion(const dReal *const *rows) {
-#if HWY_TARGET != HWY_SCALAR
-    if constexpr (kLanes == 8 && sizeof(dReal) == 8) {
-        return loadEight(rows);
-    } else if constexpr (kLanes == 4 && sizeof(dReal) == 8) {
-        Lane columns[8];
-        loadFour(rows, 0, columns);
-        loadFour(rows, 4, columns + 4);
-        return {{columns[0], columns[1], columns[2]}, {columns[3], columns[4], columns[5]}};
-    }
+#if HWY_MAX_BYTES >= 32
+    return loadByBlocks(BodyRow{rows});
+#else
+    return loadByElements([rows](unsigned row, unsigned i) { return rows[row][i]; });
 #endif
-    return loadByElements(rows);
 }
 
-HWY_INLINE void storeMotion(const Motion &motion, dReal *const *rows) {
-#if HWY_TARGET != HWY_SCALAR
-    if constexpr (kLanes == 8 && sizeof(dReal) == 8) {
-        return storeEight(motion, rows);
-    } else if constexpr (kLanes == 4 && sizeof(dReal) == 8) {
-        const Lane none = hn::Zero(LaneTag());
-        const Lane columns[8] = {motion.v[0], motion.v[1], motion.v[2], motion.w[0], motion.w[1], motion.w[2], none, none};
-        storeFour(columns, 0, rows);
-        return storeFour(columns + 4, 4, rows);
-    }
+// Returns the velocities of bodies relative to others.
+HWY_INLINE Motion loadDifference(const dReal *const *rows, const dReal *const *others) {
+#if HWY_MAX_BYTES >= 32
+    return loadByBlocks(BodyRowDifference{rows, others});
+#else
+    return loadByElements([rows, others](unsigned row, unsigned i) { return rows[row][i] - others[row][i]; });
 #endif
-    storeByElements(motion, rows);
+}
+
+HWY_INLINE void addMotion(const Motion &change, dReal *const *rows) {
+#if HWY_MAX_BYTES >= 32
+    addByBlocks(change, rows);
+#else
+    addByElements(change, rows);
+#endif
 }
 
 HWY_INLINE Lane loadLanes(const dxLaneNumbers &numbers, unsigned first) { return hn::Load(LaneTag(), numbers.lane + first); }
 HWY_INLINE void storeLanes(Lane lanes, dxLaneNumbers &numbers, unsigned first) {
     hn::Store(lanes, LaneTag(), numbers.lane + first);
-}
-
-template <class Tag>
-using FloatTag = hn::Rebind<float, Tag>;
-
-template <class Tag = LaneTag>
-HWY_INLINE Lane loadFloats(const dxContactResponse::Numbers &numbers, unsigned first) {
-    const auto floats = hn::Load(FloatTag<Tag>(), numbers.lane + first);
-    if constexpr (sizeof(hn::TFromD<Tag>) == sizeof(float)) {
-        return floats;
-    } else {
-        return hn::PromoteTo(Tag(), floats);
-    }
 }
 
 struct Vector {
@@ -222,26 +264,23 @@ struct Masses {
     }
 };
 
-// The velocities of the bodies on one side, A or B.
-struct Bodies {
+// How the velocities of the bodies on one side, A or B, change.
+struct Changes {
     Vector v, w;
 
-    static HWY_INLINE Bodies load(const dxContactPack &pack, unsigned side, unsigned first, const dxSpatialMotion *velocities) {
-        const dReal *rows[kLanes];
-        for (unsigned i = 0; i < kLanes; ++i) rows[i] = velocities[pack.source[side][first + i]].columns;
-        const Motion motion = loadMotion(rows);
-        return {{motion.v[0], motion.v[1], motion.v[2]}, {motion.w[0], motion.w[1], motion.w[2]}};
+    static HWY_INLINE Changes none() {
+        const Lane zero = hn::Zero(LaneTag());
+        return {{zero, zero, zero}, {zero, zero, zero}};
     }
 
-    // Bodies that do not move are written to `elsewhere`.
-    HWY_INLINE void store(const dxContactPack &pack, unsigned side, unsigned first, dxSpatialMotion *velocities,
-                          dxSpatialMotion &elsewhere) const {
+    // Adds them to the velocities; those of bodies that do not move are added to `elsewhere`.
+    HWY_INLINE void addTo(const dxContactPack &pack, unsigned side, unsigned first, dxSpatialMotion *velocities, dxSpatialMotion &elsewhere) const {
         dReal *rows[kLanes];
         for (unsigned i = 0; i < kLanes; ++i) {
             const int target = pack.target[side][first + i];
             rows[i] = target == dxContactPack::kNoBody ? elsewhere.columns : velocities[target].columns;
         }
-        storeMotion({{v.x, v.y, v.z}, {w.x, w.y, w.z}}, rows);
+        addMotion({{v.x, v.y, v.z, w.x, w.y, w.z}}, rows);
     }
 
     // Adds (subtracts) a linear impulse in the centre and an angular one.
@@ -259,29 +298,36 @@ struct Bodies {
 struct RelativeMotion {
     Vector v, w;
 
-    static HWY_INLINE RelativeMotion of(const Bodies &bodyA, const Bodies &bodyB, const Vector &dAB) {
-        return {subtract(subtract(bodyA.v, bodyB.v), cross(bodyB.w, dAB)), subtract(bodyA.w, bodyB.w)};
+    static HWY_INLINE RelativeMotion load(const dxContactPack &pack, unsigned first, const dxSpatialMotion *velocities) {
+        const dReal *rows[2][kLanes];
+        for (unsigned side = 0; side < 2; ++side)
+            for (unsigned i = 0; i < kLanes; ++i) rows[side][i] = velocities[pack.source[side][first + i]].columns;
+        const Motion difference = loadDifference(rows[0], rows[1]), bodyB = loadMotion(rows[1]);
+        const Vector v = {difference.column[0], difference.column[1], difference.column[2]};
+        const Vector w = {bodyB.column[3], bodyB.column[4], bodyB.column[5]};
+        return {subtract(v, cross(w, loadVector(pack.dAB, first))), {difference.column[3], difference.column[4], difference.column[5]}};
+    }
+
+    static HWY_INLINE RelativeMotion of(const Changes &changeA, const Changes &changeB, const Vector &dAB) {
+        return {subtract(subtract(changeA.v, changeB.v), cross(changeB.w, dAB)), subtract(changeA.w, changeB.w)};
     }
 
     // `row`: of a dxContactResponse
-    static HWY_INLINE RelativeMotion of(const dxContactResponse::Numbers *row, unsigned first) {
-        return {{loadFloats(row[0], first), loadFloats(row[1], first), loadFloats(row[2], first)},
-                {loadFloats(row[3], first), loadFloats(row[4], first), loadFloats(row[5], first)}};
-    }
+    static HWY_INLINE RelativeMotion of(const dxLaneNumbers *row, unsigned first) { return {loadVector(row, first), loadVector(row + 3, first)}; }
 
     HWY_INLINE Vector velocityAt(const Vector &rA) const { return add(v, cross(w, rA)); }
 
     HWY_INLINE RelativeMotion plus(const RelativeMotion &other) const { return {add(v, other.v), add(w, other.w)}; }
 
     // `row`: of a dxContactResponse
-    HWY_INLINE void respond(const dxContactResponse::Numbers *row, Lane impulse, unsigned first) {
+    HWY_INLINE void respond(const dxLaneNumbers *row, Lane impulse, unsigned first) {
         const RelativeMotion response = of(row, first);
         v = add(v, scale(response.v, impulse));
         w = add(w, scale(response.w, impulse));
     }
 };
 
-// Adds to the energy of each manifold, and to a sum for each of the eight lanes, whatever the width of vectors.
+// Adds to the energy of each manifold, and to a sum for each lane, whatever the width of vectors.
 class Energy {
 public:
     explicit Energy(const dxContactPacks &contacts) : m_contacts(contacts) {}
@@ -293,13 +339,13 @@ public:
     }
     HWY_INLINE double sum() const {
         double sum = 0;
-        for (const dReal energy : m_sum) sum += energy;
+        for (const float energy : m_sum) sum += static_cast<double>(energy);
         return sum;
     }
 
 private:
     const dxContactPacks &m_contacts;
-    HWY_ALIGN dReal m_sum[dxLanes::kCount] = {};
+    HWY_ALIGN float m_sum[dxLanes::kCount] = {};
 };
 
 HWY_INLINE void clearEnergies(const dxContactPacks &contacts, unsigned begin, unsigned end) {
@@ -311,17 +357,14 @@ HWY_INLINE Lane limitOf(const dxContactLanes &contact, int tangent, Lane normalI
     return hn::Add(hn::Mul(loadLanes(contact.friction[tangent], first), normalImpulse), loadLanes(contact.limit[tangent], first));
 }
 
-// Calls work(pack, first lane, bodies A, bodies B) for kLanes manifolds at a time, of packs of at least `minContacts` contacts.
+// Calls work(pack, first lane, motion of A relative to B) for kLanes manifolds at a time, of packs of at least `minContacts` contacts.
 template <class Work>
 HWY_INLINE void forPacks(const dxContactPacks &contacts, unsigned begin, unsigned end, unsigned minContacts, const dxSpatialMotion *velocities,
                          const Work &work) {
     for (unsigned i = begin; i < end; ++i) {
         const dxContactPack &pack = contacts.packs[i];
         if (pack.contactCount < minContacts) continue;
-        for (unsigned first = 0; first < dxLanes::kCount; first += kLanes) {
-            Bodies bodyA = Bodies::load(pack, 0, first, velocities), bodyB = Bodies::load(pack, 1, first, velocities);
-            work(pack, first, bodyA, bodyB);
-        }
+        for (unsigned first = 0; first < dxLanes::kCount; first += kLanes) work(pack, first, RelativeMotion::load(pack, first, velocities));
     }
 }
 

@@ -6,8 +6,6 @@
 // Highway's order of headers: after foreach_target.h
 #include <hwy/highway.h>
 
-#include <limits>
-
 #include "dynamics/quick_step/fast/dxContactLanes-inl.h"
 #include "dynamics/quick_step/fast/dxContactSweep.h"
 
@@ -17,7 +15,7 @@ namespace HWY_NAMESPACE {
 
 // Returns 0 for 0, without dividing by it: a program may trap divisions by zero.
 HWY_INLINE Lane inverseOf(Lane a) {
-    const Lane one = hn::Set(LaneTag(), dReal(1)), none = hn::Zero(LaneTag());
+    const Lane one = hn::Set(LaneTag(), 1.0f), none = hn::Zero(LaneTag());
     const auto isNone = hn::Eq(a, none);
     return hn::IfThenElse(isNone, none, hn::Div(one, hn::IfThenElse(isNone, one, a)));
 }
@@ -26,7 +24,7 @@ HWY_INLINE Lane inverseOf(Lane a) {
 HWY_INLINE Vector tangentOf(const Vector &normal) {
     const LaneTag d;
     const Lane none = hn::Zero(d);
-    const auto isSteep = hn::Gt(hn::Abs(normal.z), hn::Set(d, dReal(0.70710678118654752440)));
+    const auto isSteep = hn::Gt(hn::Abs(normal.z), hn::Set(d, 0.70710678118654752440f));
     const Lane a = hn::IfThenElse(isSteep, normal.y, normal.x), b = hn::IfThenElse(isSteep, normal.z, normal.y);
     const Lane square = hn::Add(hn::Mul(a, a), hn::Mul(b, b));
     const Lane inverse = inverseOf(hn::Sqrt(square));
@@ -69,20 +67,9 @@ HWY_INLINE void projectImpulse(dxContactLanes &contact, unsigned first, const Ve
         storeLanes(clamp(limitOf(contact, i - 1, normalImpulse, first), dot(force, direction[i])), contact.impulse[i], first);
 }
 
-// Stores the nearest floats; the largest float for larger numbers.
-template <class Tag = LaneTag>
-HWY_INLINE void storeFloats(Lane numbers, dxContactResponse::Numbers &floats, unsigned first) {
-    if constexpr (sizeof(hn::TFromD<Tag>) == sizeof(float)) {
-        hn::Store(numbers, Tag(), floats.lane + first);
-    } else {
-        const Lane largest = hn::Set(Tag(), std::numeric_limits<float>::max());
-        hn::Store(hn::DemoteTo(FloatTag<Tag>(), clamp(largest, numbers)), FloatTag<Tag>(), floats.lane + first);
-    }
-}
-
 // `response`: of the contact; null: none. Returns the energy of the residual of the normal without impulses.
 HWY_INLINE Lane prepareContact(const dxContactPack &pack, dxContactLanes &contact, dxContactResponse *response, unsigned first,
-                               const Bodies &bodyA, const Bodies &bodyB) {
+                               const RelativeMotion &motion) {
     const Masses massesA = Masses::load(pack, 0, first), massesB = Masses::load(pack, 1, first);
     const Vector dAB = loadVector(pack.dAB, first), rA = loadVector(contact.rA, first);
     Vector direction[3];
@@ -103,9 +90,9 @@ HWY_INLINE Lane prepareContact(const dxContactPack &pack, dxContactLanes &contac
         const Vector v = add(scale(direction[i], inverseMass), cross(angularB.turned[i], dAB));
         const Vector w = add(angularA.turned[i], angularB.turned[i]);
         const Lane motion[6] = {v.x, v.y, v.z, w.x, w.y, w.z};
-        for (int k = 0; k < 6; ++k) storeFloats(motion[k], response->row[i][k], first);
+        for (int k = 0; k < 6; ++k) storeLanes(motion[k], response->row[i][k], first);
     }
-    const Lane relative = dot(direction[kNormal], RelativeMotion::of(bodyA, bodyB, dAB).velocityAt(rA));
+    const Lane relative = dot(direction[kNormal], motion.velocityAt(rA));
     const Lane residual = atLeast(hn::Zero(LaneTag()), hn::Sub(loadLanes(contact.bias[kNormal], first), relative));
     return hn::Mul(hn::Mul(residual, residual), loadLanes(contact.effectiveMass[kNormal], first));
 }
@@ -118,7 +105,7 @@ HWY_INLINE void findNormalResponses(const dxContactPack &pack, const dxContactLa
         for (unsigned i = 0; i < pack.contactCount; ++i) {
             Lane change = dot(normal, RelativeMotion::of(responses[i].row[kNormal], first).velocityAt(rA));
             if (i == k) change = hn::Add(change, loadLanes(contacts[k].softness[kNormal], first));
-            storeFloats(change, responses[i].normal[k], first);
+            storeLanes(change, responses[i].normal[k], first);
         }
     }
 }
@@ -127,13 +114,13 @@ double prepare(const dxContactPacks &contacts, unsigned begin, unsigned end, con
     clearEnergies(contacts, begin, end);
     Energy energy(contacts);
     forPacks(contacts, begin, end, 1, velocities,
-             [&](const dxContactPack &pack, unsigned first, const Bodies &bodyA, const Bodies &bodyB) HWY_ATTR {
+             [&](const dxContactPack &pack, unsigned first, const RelativeMotion &motion) HWY_ATTR {
                  dxContactLanes *const own = contacts.contacts + pack.firstContact;
                  dxContactResponse *const responses = responsesOf(contacts, pack);
                  Lane sum = hn::Zero(LaneTag());
                  for (unsigned k = 0; k < pack.contactCount; ++k) {
                      dxContactResponse *const response = responses != nullptr ? responses + k : nullptr;
-                     sum = hn::Add(sum, prepareContact(pack, own[k], response, first, bodyA, bodyB));
+                     sum = hn::Add(sum, prepareContact(pack, own[k], response, first, motion));
                  }
                  if (responses != nullptr) findNormalResponses(pack, own, first, responses);
                  energy.add(pack, sum, first);

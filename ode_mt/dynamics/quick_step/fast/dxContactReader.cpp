@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 
 #include <ode/odemath.h>
 
@@ -25,8 +26,14 @@ constexpr unsigned kPrefetchDistance = 3;  // manifolds
 // nothing.
 constexpr dReal kLargeFriction = dReal(1e30);
 
+// A number beyond the largest float becomes that one. NaN stays NaN.
+void write(dReal number, dxLaneNumbers &numbers, unsigned lane) {
+    constexpr dReal kLargest = std::numeric_limits<float>::max();
+    numbers.lane[lane] = static_cast<float>(std::clamp(number, -kLargest, kLargest));
+}
+
 void write(const dReal *vector, dxLaneNumbers *numbers, unsigned lane) {
-    for (int i = 0; i < 3; ++i) numbers[i].lane[lane] = vector[i];
+    for (int i = 0; i < 3; ++i) write(vector[i], numbers[i], lane);
 }
 
 dReal velocityAlong(const dxBody &body, const dReal *direction, const dReal *rA) {
@@ -54,21 +61,21 @@ void readFriction(dReal coefficient, bool isOfNormal, dReal stepSize, unsigned t
     const bool isInfinite = coefficient >= kLargeFriction;
     const dReal finite = isInfinite ? kLargeFriction : coefficient > 0 ? coefficient : dReal(0);
     const bool follows = isOfNormal && !isInfinite;
-    contact.friction[tangent].lane[lane] = follows ? finite : 0;
-    contact.limit[tangent].lane[lane] = follows ? 0 : finite * stepSize;
+    write(follows ? finite : 0, contact.friction[tangent], lane);
+    write(follows ? 0 : finite * stepSize, contact.limit[tangent], lane);
 }
 
 // Returns the offset from the centre of one of the bodies to a contact: rA or rB.
 dReal offsetOf(const dxContactPack &pack, const dxContactLanes &contact, bool isOfA, int axis, unsigned lane) {
-    const dReal rA = contact.rA[axis].lane[lane];
-    return isOfA ? rA : rA + pack.dAB[axis].lane[lane];
+    const dReal rA = static_cast<dReal>(contact.rA[axis].lane[lane]);
+    return isOfA ? rA : rA + static_cast<dReal>(pack.dAB[axis].lane[lane]);
 }
 
 // Returns the impulse along an axis of the world.
 dReal impulseAlong(const dxContactLanes &contact, int axis, unsigned lane) {
     dReal sum = 0;
     for (unsigned row = 0; row < dxContactLanes::kRows; ++row)
-        sum += contact.direction[row][axis].lane[lane] * contact.impulse[row].lane[lane];
+        sum += static_cast<dReal>(contact.direction[row][axis].lane[lane]) * static_cast<dReal>(contact.impulse[row].lane[lane]);
     return sum;
 }
 
@@ -139,8 +146,8 @@ void dxContactReader::readBodies(dxContactPack &pack, unsigned lane, const Manif
         pack.source[side][lane] = manifold.body[side];
         if (!(body.invMass > 0)) continue;
         pack.target[side][lane] = manifold.body[side];
-        pack.inverseMass[side].lane[lane] = body.invMass;
-        for (int i = 0; i < 6; ++i) pack.inverseInertia[side][i].lane[lane] = body.invInertia[kElements[i]];
+        write(body.invMass, pack.inverseMass[side], lane);
+        for (int i = 0; i < 6; ++i) write(body.invInertia[kElements[i]], pack.inverseInertia[side][i], lane);
     }
     if (manifold.body[1] == dxConstraintPlan::kNoBody) return;
     dVector3 dAB;
@@ -162,13 +169,13 @@ void dxContactReader::readContact(dxContactLanes &contact, unsigned lane, const 
     write(normal, contact.direction[dxContactLanes::kNormal], lane);
     if ((mode & dContactFDir1) != 0) write(own.contact.fdir1, contact.direction[dxContactLanes::kTangent], lane);
 
-    contact.bias[0].lane[lane] = pushOut(m_step, own, normal, r);
-    contact.bias[1].lane[lane] = (mode & dContactMotion1) != 0 ? surface.motion1 : 0;
-    contact.bias[2].lane[lane] = (mode & dContactMotion2) != 0 ? surface.motion2 : 0;
+    write(pushOut(m_step, own, normal, r), contact.bias[0], lane);
+    write((mode & dContactMotion1) != 0 ? surface.motion1 : 0, contact.bias[1], lane);
+    write((mode & dContactMotion2) != 0 ? surface.motion2 : 0, contact.bias[2], lane);
     const dReal perStep = dRecip(m_step.stepSize), cfm = m_step.world->global_cfm;
-    contact.softness[0].lane[lane] = perStep * ((mode & dContactSoftCFM) != 0 ? surface.soft_cfm : cfm);
-    contact.softness[1].lane[lane] = perStep * ((mode & dContactSlip1) != 0 ? surface.slip1 : cfm);
-    contact.softness[2].lane[lane] = perStep * ((mode & dContactSlip2) != 0 ? surface.slip2 : cfm);
+    write(perStep * ((mode & dContactSoftCFM) != 0 ? surface.soft_cfm : cfm), contact.softness[0], lane);
+    write(perStep * ((mode & dContactSlip1) != 0 ? surface.slip1 : cfm), contact.softness[1], lane);
+    write(perStep * ((mode & dContactSlip2) != 0 ? surface.slip2 : cfm), contact.softness[2], lane);
     const dReal mu2 = (mode & dContactMu2) != 0 ? surface.mu2 : surface.mu;
     readFriction(surface.mu, (mode & dContactApprox1_1) != 0, m_step.stepSize, 0, lane, contact);
     readFriction(mu2, (mode & dContactApprox1_2) != 0, m_step.stepSize, 1, lane, contact);
@@ -183,7 +190,7 @@ void dxContactReader::startWarm(const dxContactPacks &contacts, const dxContactP
         [&](unsigned k, int axis) { return own[k].direction[dxContactLanes::kNormal][axis].lane[lane]; },
         [&](unsigned k, const dReal *impulse) {
             for (int axis = 0; axis < 3; ++axis)
-                own[k].impulse[axis].lane[lane] = std::isfinite(impulse[axis]) ? impulse[axis] : 0;
+                write(std::isfinite(impulse[axis]) ? impulse[axis] : 0, own[k].impulse[axis], lane);
         });
 }
 
@@ -211,7 +218,7 @@ void dxContactReader::keep(const dxContactPacks &contacts, Lanes lanes, unsigned
                 const dxContactLanes &contact = contacts.contacts[pack.firstContact + k];
                 for (int axis = 0; axis < 3; ++axis) {
                     kept[k].r[axis] = static_cast<float>(offsetOf(pack, contact, manifold->firstOwns, axis, lane));
-                    kept[k].normal[axis] = static_cast<float>(sign * contact.direction[dxContactLanes::kNormal][axis].lane[lane]);
+                    kept[k].normal[axis] = static_cast<float>(sign) * contact.direction[dxContactLanes::kNormal][axis].lane[lane];
                     kept[k].force[axis] = static_cast<float>(sign * perStep * impulseAlong(contact, axis, lane));
                 }
             }

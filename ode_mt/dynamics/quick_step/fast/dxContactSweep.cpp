@@ -32,29 +32,29 @@ struct Wrench {
         turning = HWY_NAMESPACE::add(turning, cross(loadVector(contact.rA, first), sum));
     }
 
-    HWY_INLINE void actOn(const dxContactPack &pack, unsigned first, Bodies &bodyA, Bodies &bodyB) const {
-        bodyA.push(Masses::load(pack, 0, first), impulse, turning);
-        bodyB.pull(Masses::load(pack, 1, first), impulse,
+    HWY_INLINE void actOn(const dxContactPack &pack, unsigned first, Changes &changeA, Changes &changeB) const {
+        changeA.push(Masses::load(pack, 0, first), impulse, turning);
+        changeB.pull(Masses::load(pack, 1, first), impulse,
                    HWY_NAMESPACE::add(turning, cross(loadVector(pack.dAB, first), impulse)));
     }
 };
 
-// As forPacks, and stores the bodies as `work` leaves them.
+// As forPacks, and adds to the velocities what `work` leaves in the changes of A and B.
 template <class Work>
 HWY_INLINE void forMovingPacks(const dxContactPacks &contacts, unsigned begin, unsigned end, unsigned minContacts, dxSpatialMotion *velocities,
                                const Work &work) {
-    dxSpatialMotion elsewhere;
-    forPacks(contacts, begin, end, minContacts, velocities,
-             [&](const dxContactPack &pack, unsigned first, Bodies &bodyA, Bodies &bodyB) HWY_ATTR {
-                 work(pack, first, bodyA, bodyB);
-                 bodyA.store(pack, 0, first, velocities, elsewhere);
-                 bodyB.store(pack, 1, first, velocities, elsewhere);
-             });
+    dxSpatialMotion elsewhere = {};
+    forPacks(contacts, begin, end, minContacts, velocities, [&](const dxContactPack &pack, unsigned first, const RelativeMotion &motion) HWY_ATTR {
+        Changes changeA = Changes::none(), changeB = Changes::none();
+        work(pack, first, motion, changeA, changeB);
+        changeA.addTo(pack, 0, first, velocities, elsewhere);
+        changeB.addTo(pack, 1, first, velocities, elsewhere);
+    });
 }
 
 // 1/2 p' softness p - bias' p
 HWY_INLINE Lane energyOf(const dxContactLanes &contact, unsigned first) {
-    const Lane half = hn::Set(LaneTag(), dReal(0.5));
+    const Lane half = hn::Set(LaneTag(), 0.5f);
     Lane energy = hn::Zero(LaneTag());
     for (unsigned row = 0; row < dxContactLanes::kRows; ++row) {
         const Lane impulse = loadLanes(contact.impulse[row], first);
@@ -69,7 +69,7 @@ double apply(const dxContactPacks &contacts, unsigned begin, unsigned end, dxSpa
     clearEnergies(contacts, begin, end);
     Energy energy(contacts);
     forMovingPacks(contacts, begin, end, 1, velocities,
-                   [&](const dxContactPack &pack, unsigned first, Bodies &bodyA, Bodies &bodyB) HWY_ATTR {
+                   [&](const dxContactPack &pack, unsigned first, const RelativeMotion &before, Changes &changeA, Changes &changeB) HWY_ATTR {
                        const dxContactLanes *const own = contacts.contacts + pack.firstContact;
                        Wrench wrench = Wrench::none();
                        Lane sum = hn::Zero(LaneTag());
@@ -79,21 +79,94 @@ double apply(const dxContactPacks &contacts, unsigned begin, unsigned end, dxSpa
                            wrench.add(own[k], impulses, 0, first);
                            sum = hn::Add(sum, energyOf(own[k], first));
                        }
-                       const Vector dAB = loadVector(pack.dAB, first);
-                       const RelativeMotion before = RelativeMotion::of(bodyA, bodyB, dAB);
-                       wrench.actOn(pack, first, bodyA, bodyB);
-                       const RelativeMotion twice = RelativeMotion::of(bodyA, bodyB, dAB).plus(before);
+                       wrench.actOn(pack, first, changeA, changeB);
+                       const RelativeMotion twice = RelativeMotion::of(changeA, changeB, loadVector(pack.dAB, first)).plus(before).plus(before);
                        const Lane work = hn::Add(dot(wrench.impulse, twice.v), dot(wrench.turning, twice.w));
-                       energy.add(pack, hn::Add(sum, hn::Mul(hn::Set(LaneTag(), dReal(0.5)), work)), first);
+                       energy.add(pack, hn::Add(sum, hn::Mul(hn::Set(LaneTag(), 0.5f), work)), first);
                    });
     return energy.sum();
+}
+
+using RealTag = hn::CappedTag<dReal, 8>;
+using Reals = hn::Vec<RealTag>;
+constexpr unsigned kReals = hn::MaxLanes(RealTag());
+
+template <class Tag = RealTag>
+HWY_INLINE hn::Vec<Tag> loadReals(const dxLaneNumbers &numbers, unsigned first) {
+    const hn::Rebind<float, Tag> floats;
+    if constexpr (sizeof(hn::TFromD<Tag>) == sizeof(float)) {
+        return hn::Load(floats, numbers.lane + first);
+    } else {
+        return hn::PromoteTo(Tag(), hn::Load(floats, numbers.lane + first));
+    }
+}
+
+// What the impulses of each manifold of a pack are in all: a linear impulse, and an angular one in the centre of A and of B. On B they act reversed.
+struct RealWrenches {
+    HWY_ALIGN dReal impulse[3][dxLanes::kCount], turning[2][3][dxLanes::kCount];
+
+    HWY_INLINE void find(const dxContactPack &pack, const dxContactLanes *contacts, unsigned first) {
+        const RealTag d;
+        Reals sum[3] = {hn::Zero(d), hn::Zero(d), hn::Zero(d)}, turn[3] = {hn::Zero(d), hn::Zero(d), hn::Zero(d)};
+        for (unsigned k = 0; k < pack.contactCount; ++k) {
+            const dxContactLanes &contact = contacts[k];
+            Reals own[3], r[3];
+            for (unsigned axis = 0; axis < 3; ++axis) {
+                own[axis] = hn::Zero(d);
+                for (unsigned row = 0; row < dxContactLanes::kRows; ++row)
+                    own[axis] = hn::Add(own[axis], hn::Mul(loadReals(contact.direction[row][axis], first), loadReals(contact.impulse[row], first)));
+                sum[axis] = hn::Add(sum[axis], own[axis]);
+                r[axis] = loadReals(contact.rA[axis], first);
+            }
+            addCross(r, own, turn);
+        }
+        const Reals dAB[3] = {loadReals(pack.dAB[0], first), loadReals(pack.dAB[1], first), loadReals(pack.dAB[2], first)};
+        store(sum, impulse, first);
+        store(turn, turning[0], first);
+        addCross(dAB, sum, turn);
+        store(turn, turning[1], first);
+    }
+
+    static HWY_INLINE void addCross(const Reals (&a)[3], const Reals (&b)[3], Reals (&sum)[3]) {
+        for (unsigned i = 0; i < 3; ++i) {
+            const unsigned j = (i + 1) % 3, k = (i + 2) % 3;
+            sum[i] = hn::Add(sum[i], hn::Sub(hn::Mul(a[j], b[k]), hn::Mul(a[k], b[j])));
+        }
+    }
+
+    static HWY_INLINE void store(const Reals (&vector)[3], dReal (&numbers)[3][dxLanes::kCount], unsigned first) {
+        for (unsigned i = 0; i < 3; ++i) hn::Store(vector[i], RealTag(), numbers[i] + first);
+    }
+
+    HWY_INLINE void actOn(const dxIslandBody &masses, unsigned side, unsigned lane, dReal *velocity) const {
+        const dReal sign = side == 0 ? dReal(1) : dReal(-1);
+        for (unsigned i = 0; i < 3; ++i) {
+            const dReal *const inertia = masses.invInertia + 3 * i;
+            const dReal turned = inertia[0] * turning[side][0][lane] + inertia[1] * turning[side][1][lane] + inertia[2] * turning[side][2][lane];
+            velocity[i] += sign * masses.invMass * impulse[i][lane];
+            velocity[3 + i] += sign * turned;
+        }
+    }
+};
+
+void addImpulses(const dxContactPacks &contacts, unsigned begin, unsigned end, const dxIslandBody *masses, dxSpatialMotion *velocities) {
+    for (unsigned i = begin; i < end; ++i) {
+        const dxContactPack &pack = contacts.packs[i];
+        RealWrenches wrenches;
+        for (unsigned first = 0; first < dxLanes::kCount; first += kReals) wrenches.find(pack, contacts.contacts + pack.firstContact, first);
+        for (unsigned lane = 0; lane < dxLanes::kCount; ++lane)
+            for (unsigned side = 0; side < 2; ++side) {
+                const int target = pack.target[side][lane];
+                if (target != dxContactPack::kNoBody) wrenches.actOn(masses[target], side, lane, velocities[target].columns);
+            }
+    }
 }
 
 struct Factors {
     Lane normal, friction;
 
     explicit HWY_INLINE Factors(const dxOverRelaxation &factor)
-        : normal(hn::Set(LaneTag(), factor.normal)), friction(hn::Set(LaneTag(), factor.friction)) {}
+        : normal(hn::Set(LaneTag(), static_cast<float>(factor.normal))), friction(hn::Set(LaneTag(), static_cast<float>(factor.friction))) {}
 };
 
 // Returns the row's residual: bias - softness p - J u.
@@ -187,17 +260,17 @@ struct Visit {
 // Relaxes the contacts of kLanes manifolds; bodies move after each contact. Returns the energy of the last pass.
 template <class Rows>
 HWY_INLINE Lane relaxManifold(const dxContactPack &pack, dxContactLanes *contacts, unsigned first, const Visit &visit, const Factors &factor,
-                              Bodies &bodyA, Bodies &bodyB) {
+                              const RelativeMotion &before, Changes &changeA, Changes &changeB) {
     const Vector dAB = loadVector(pack.dAB, first);
     Lane energy = hn::Zero(LaneTag());
     for (unsigned pass = 0; pass < visit.passes; ++pass) {
         energy = hn::Zero(LaneTag());
         for (unsigned k = visit.begin; k < pack.contactCount; k += visit.step) {
-            const RelativeMotion motion = RelativeMotion::of(bodyA, bodyB, dAB);
+            const RelativeMotion motion = RelativeMotion::of(changeA, changeB, dAB).plus(before);
             const auto change = Rows::relax(contacts[k], first, factor, motion.velocityAt(loadVector(contacts[k].rA, first)));
             Wrench wrench = Wrench::none();
             wrench.add(contacts[k], change.row, Rows::kFirstRow, first);
-            wrench.actOn(pack, first, bodyA, bodyB);
+            wrench.actOn(pack, first, changeA, changeB);
             energy = hn::Add(energy, change.energy);
         }
     }
@@ -207,13 +280,13 @@ HWY_INLINE Lane relaxManifold(const dxContactPack &pack, dxContactLanes *contact
 // The same by responses: only the relative motion changes from contact to contact, and the bodies move once, after the last one.
 template <class Rows>
 HWY_INLINE Lane relaxManifold(const dxContactPack &pack, dxContactLanes *contacts, const dxContactResponse *responses, unsigned first,
-                              const Visit &visit, const Factors &factor, Bodies &bodyA, Bodies &bodyB) {
+                              const Visit &visit, const Factors &factor, const RelativeMotion &before, Changes &changeA, Changes &changeB) {
     const LaneTag d;
-    HWY_ALIGN dReal before[dxContactPack::kMaxContacts][Rows::kRows][dxLanes::kCount];
+    HWY_ALIGN float impulses[dxContactPack::kMaxContacts][Rows::kRows][dxLanes::kCount];
     for (unsigned k = visit.begin; k < pack.contactCount; k += visit.step)
         for (unsigned i = 0; i < Rows::kRows; ++i)
-            hn::Store(loadLanes(contacts[k].impulse[Rows::kFirstRow + i], first), d, before[k][i]);
-    RelativeMotion motion = RelativeMotion::of(bodyA, bodyB, loadVector(pack.dAB, first));
+            hn::Store(loadLanes(contacts[k].impulse[Rows::kFirstRow + i], first), d, impulses[k][i]);
+    RelativeMotion motion = before;
     Lane energy = hn::Zero(d);
     for (unsigned pass = 0; pass < visit.passes; ++pass) {
         energy = hn::Zero(d);
@@ -227,20 +300,20 @@ HWY_INLINE Lane relaxManifold(const dxContactPack &pack, dxContactLanes *contact
     for (unsigned k = visit.begin; k < pack.contactCount; k += visit.step) {
         Lane changes[Rows::kRows];
         for (unsigned i = 0; i < Rows::kRows; ++i)
-            changes[i] = hn::Sub(loadLanes(contacts[k].impulse[Rows::kFirstRow + i], first), hn::Load(d, before[k][i]));
+            changes[i] = hn::Sub(loadLanes(contacts[k].impulse[Rows::kFirstRow + i], first), hn::Load(d, impulses[k][i]));
         wrench.add(contacts[k], changes, Rows::kFirstRow, first);
     }
-    wrench.actOn(pack, first, bodyA, bodyB);
+    wrench.actOn(pack, first, changeA, changeB);
     return energy;
 }
 
 // The same for the normals of all contacts: a change of one normal updates the residuals of all others.
 template <>
 HWY_INLINE Lane relaxManifold<NormalRow>(const dxContactPack &pack, dxContactLanes *contacts, const dxContactResponse *responses,
-                                        unsigned first, const Visit &visit, const Factors &factor, Bodies &bodyA, Bodies &bodyB) {
+                                        unsigned first, const Visit &visit, const Factors &factor, const RelativeMotion &motion,
+                                        Changes &changeA, Changes &changeB) {
     const unsigned count = pack.contactCount;
     Lane residual[dxContactPack::kMaxContacts], normalImpulse[dxContactPack::kMaxContacts], energy = hn::Zero(LaneTag());
-    const RelativeMotion motion = RelativeMotion::of(bodyA, bodyB, loadVector(pack.dAB, first));
     for (unsigned k = 0; k < count; ++k) {
         residual[k] = residualOf(contacts[k], 0, motion.velocityAt(loadVector(contacts[k].rA, first)), first);
         normalImpulse[k] = loadLanes(contacts[k].impulse[kNormal], first);
@@ -254,7 +327,7 @@ HWY_INLINE Lane relaxManifold<NormalRow>(const dxContactPack &pack, dxContactLan
             normalImpulse[k] = next;
             energy = hn::Add(energy, hn::Abs(hn::Mul(change, residual[k])));
             for (unsigned i = 0; i < count; ++i)
-                residual[i] = hn::Sub(residual[i], hn::Mul(loadFloats(responses[k].normal[i], first), change));
+                residual[i] = hn::Sub(residual[i], hn::Mul(loadLanes(responses[k].normal[i], first), change));
         }
     }
     Wrench wrench = Wrench::none();
@@ -263,7 +336,7 @@ HWY_INLINE Lane relaxManifold<NormalRow>(const dxContactPack &pack, dxContactLan
         wrench.add(contacts[k], change, 0, first);
         storeLanes(normalImpulse[k], contacts[k].impulse[kNormal], first);
     }
-    wrench.actOn(pack, first, bodyA, bodyB);
+    wrench.actOn(pack, first, changeA, changeB);
     return energy;
 }
 
@@ -274,16 +347,16 @@ HWY_INLINE double relaxPacks(const dxContactPacks &contacts, unsigned begin, uns
     const Factors factor(relaxation);
     Energy energy(contacts);
     forMovingPacks(contacts, begin, end, Rows::kMinContacts, velocities,
-                   [&](const dxContactPack &pack, unsigned first, Bodies &bodyA, Bodies &bodyB) HWY_ATTR {
+                   [&](const dxContactPack &pack, unsigned first, const RelativeMotion &motion, Changes &changeA, Changes &changeB) HWY_ATTR {
                        dxContactLanes *const own = contacts.contacts + pack.firstContact;
                        const dxContactResponse *const responses = responsesOf(contacts, pack);
                        Lane found;
                        if (pack.contactCount == 1)
-                           found = relaxManifold<AllRows>(pack, own, first, {0, 1, 1}, factor, bodyA, bodyB);
+                           found = relaxManifold<AllRows>(pack, own, first, {0, 1, 1}, factor, motion, changeA, changeB);
                        else if (responses != nullptr)
-                           found = relaxManifold<Rows>(pack, own, responses, first, visit, factor, bodyA, bodyB);
+                           found = relaxManifold<Rows>(pack, own, responses, first, visit, factor, motion, changeA, changeB);
                        else
-                           found = relaxManifold<Rows>(pack, own, first, visit, factor, bodyA, bodyB);
+                           found = relaxManifold<Rows>(pack, own, first, visit, factor, motion, changeA, changeB);
                        energy.add(pack, found, first);
                    });
     return energy.sum();
@@ -306,6 +379,7 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace dxContactKernels {
+HWY_EXPORT(addImpulses);
 HWY_EXPORT(apply);
 HWY_EXPORT(sweep);
 }  // namespace dxContactKernels
@@ -313,6 +387,11 @@ HWY_EXPORT(sweep);
 double dxApplyImpulses(const dxContactPacks &contacts, unsigned begin, unsigned end, dxSpatialMotion *velocities) {
     using namespace dxContactKernels;
     return HWY_DYNAMIC_DISPATCH(apply)(contacts, begin, end, velocities);
+}
+
+void dxAddImpulses(const dxContactPacks &contacts, unsigned begin, unsigned end, const dxIslandBody *masses, dxSpatialMotion *velocities) {
+    using namespace dxContactKernels;
+    HWY_DYNAMIC_DISPATCH(addImpulses)(contacts, begin, end, masses, velocities);
 }
 
 double dxSweepContacts(const dxContactPacks &contacts, unsigned begin, unsigned end, dxSweepPart part, const dxOverRelaxation &factor,

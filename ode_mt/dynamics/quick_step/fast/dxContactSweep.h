@@ -18,6 +18,10 @@ double dxPrepareContacts(const dxContactPacks &contacts, unsigned begin, unsigne
 // solution.
 double dxApplyImpulses(const dxContactPacks &contacts, unsigned begin, unsigned end, dxSpatialMotion *velocities);
 
+// Adds the impulses p to velocities in dReal. Sweeps leave velocities that differ from these by roundings of floats: momentum is conserved, and
+// forces explain motions, to the precision of dReal here.
+void dxAddImpulses(const dxContactPacks &contacts, unsigned begin, unsigned end, const dxIslandBody *masses, dxSpatialMotion *velocities);
+
 // Factors by which an impulse changes more than its own row asks for.
 struct dxOverRelaxation {
     dReal normal, friction;

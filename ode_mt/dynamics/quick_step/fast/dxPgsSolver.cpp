@@ -31,8 +31,8 @@ constexpr unsigned kSweepsPerMeasurement = 5;
 // A sweep whose change is larger than that of an earlier one by this factor does not lead to the solution.
 constexpr double kGrowth = 3;
 
-// More contacts fit no cache, and a sweep takes as long as reading them: a response is 104 bytes beside 248.
-constexpr unsigned kMaxResponses = 4096;
+// More contacts fit no cache, and a sweep takes as long as reading them: a response is 104 bytes beside 124.
+constexpr unsigned kMaxResponses = 8192;
 
 // Number of chunks beside the first one of each phase, below which a sweep is done before another worker could begin.
 constexpr std::size_t kMinBeside = 4;
@@ -65,7 +65,7 @@ void dxPgsSolver::begin(const dxIslandStep &step, dxIslandBody *masses) {
 void dxPgsSolver::solve(const dxIslandStep &step, const dxRowJoints &joints, dxNotificationPolicy &notifications) {
     const Call call{step, joints, notifications};
     const auto iterate = [&] {
-        for (const Stage stage : {Stage::WarmStart, Stage::Sweep, Stage::Smooth}) run(stage, call);
+        for (const Stage stage : {Stage::WarmStart, Stage::Sweep, Stage::Smooth, Stage::Sum}) run(stage, call);
     };
     run(Stage::Prepare, call);
     if (m_plan.chunks().size() >= m_plan.phases().size() + kMinBeside)
@@ -87,6 +87,8 @@ void dxPgsSolver::run(Stage stage, const Call &call) {
         case Stage::Smooth:  // the same. Before the first one, parallel: writes rows
             endOverRelaxation();
             return iterate(stage, m_firstSmoothSweep, m_iterations + 1, call.step.fastQuickStep->tolerance());
+        case Stage::Sum:  // parallel by phases. Reads p. Writes u
+            return sumImpulses();
         case Stage::Store:  // bodies and packs parallel, rows and feedback serial. Reads u, p. Writes bodies, feedback, the warm-start cache
             return store(call.step, call.joints, call.notifications);
     }
@@ -103,6 +105,7 @@ void dxPgsSolver::makePlan(const dxIslandStep &step) {
     m_chunkEnergies = m_arena.take<double>(m_plan.chunks().size());
     m_firstEnergies = m_arena.take<double>(islands);
     m_islandEnergies = m_arena.take<double>(islands);
+    m_results = m_plan.hasLanes() ? m_arena.take<dxSpatialMotion>(m_velocities.size()) : m_velocities;
     m_lanes = m_arena.takeFilled<const dxConstraintPlan::Manifold *>(packs * dxLanes::kCount, nullptr);
     m_plan.forLaneManifolds([this](const dxConstraintPlan::Manifold &manifold) {
         m_lanes[std::size_t(manifold.pack) * dxLanes::kCount + manifold.lane] = &manifold;
@@ -122,6 +125,7 @@ void dxPgsSolver::reserve(std::size_t memory, unsigned threads) {
 void dxPgsSolver::prepare(const dxIslandStep &step, const dxRowJoints &joints) {
     // Joints other than contacts may have pushed their bodies when they were asked for their rows.
     if (step.islandWorkers == nullptr || !m_plan.hasContactsOnly()) dxFindFreeMotion(step, m_masses, m_velocities.data());
+    if (m_plan.hasLanes()) std::copy(m_velocities.begin(), m_velocities.end(), m_results.begin());
     const dxContactReader reader(step, m_masses);
     m_hasFeedback.store(false, std::memory_order_relaxed);
     forChunks(step, [&](const dxConstraintPlan::Chunk &chunk, unsigned i) {
@@ -196,11 +200,19 @@ double dxPgsSolver::sweepPart(dxSweepPart part, const dxOverRelaxation &factor, 
     });
 }
 
+void dxPgsSolver::sumImpulses() {
+    if (!m_plan.hasLanes()) return;
+    solvePhases([this](const dxConstraintPlan::Chunk &chunk) {
+        if (chunk.firstPack != chunk.endPack) dxAddImpulses(packs(), chunk.firstPack, chunk.endPack, m_masses, m_results.data());
+        return chunk.firstRowJoint != chunk.endRowJoint ? m_rows.apply(chunk.firstRowJoint, chunk.endRowJoint, m_results.data()) : 0;
+    });
+}
+
 void dxPgsSolver::store(const dxIslandStep &step, const dxRowJoints &joints, dxNotificationPolicy &notifications) {
     dxForBodiesInParallel(step, dxParallelStage::Motion, [&](std::size_t i) {
         dxBody &body = *step.island.bodies[i];
-        std::copy_n(m_velocities[i].columns, 3, body.lvel);
-        std::copy_n(m_velocities[i].columns + 3, 3, body.avel);
+        std::copy_n(m_results[i].columns, 3, body.lvel);
+        std::copy_n(m_results[i].columns + 3, 3, body.avel);
         notifications.add(body);
     });
     const dxContactReader reader(step, m_masses);

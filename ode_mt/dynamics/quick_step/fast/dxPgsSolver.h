@@ -39,6 +39,7 @@ private:
         WarmStart,  // impulses of the last step act on the velocities
         Sweep,      // iterations that are over-relaxed
         Smooth,     // the last iterations, which are not: that leaves smaller residuals
+        Sum,        // impulses act on the free velocities once more, in dReal
         Store,      // velocities, feedback, forces for the next step
     };
 
@@ -56,6 +57,7 @@ private:
     void endOverRelaxation();
     double sweep(Stage stage, unsigned number);
     double sweepPart(dxSweepPart part, const dxOverRelaxation &factor, unsigned number);
+    void sumImpulses();
     void store(const dxIslandStep &step, const dxRowJoints &joints, dxNotificationPolicy &notifications);
 
     template <class Work>
@@ -82,6 +84,7 @@ private:
     dxArenaArray<dxContactResponse> m_responses;                // by contact; none where there are too many
     dxArenaArray<const dxConstraintPlan::Manifold *> m_lanes;   // by pack and lane; null: none
     dxArenaArray<dxSpatialMotion> m_velocities;                 // by body, and one of a body at rest
+    dxArenaArray<dxSpatialMotion> m_results;                    // by body: m_velocities; with lanes, the free velocities until Sum
     dxArenaArray<dxLaneNumbers> m_packEnergies;                 // found last
     dxArenaArray<double> m_chunkEnergies;                       // found last
     dxArenaArray<double> m_firstEnergies, m_islandEnergies;     // by island: of the residual without impulses; found last
