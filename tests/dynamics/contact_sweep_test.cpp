@@ -57,6 +57,26 @@ public:
         return part(dxSweepPart::Normals) + part(dxSweepPart::EvenFriction) + part(dxSweepPart::OddFriction);
     }
 
+    // The free velocities and what the impulses add, as Sum of dxPgsSolver finds them.
+    std::vector<dxSpatialMotion> sum() {
+        std::vector<dxIslandBody> masses(kBodies);
+        for (unsigned lane = 0; lane < dxLanes::kCount; ++lane)
+            for (unsigned side = 0; side < 2; ++side) {
+                if (m_packs[0].target[side][lane] == dxContactPack::kNoBody) continue;
+                dxIslandBody &body = masses[static_cast<std::size_t>(m_packs[0].target[side][lane])];
+                body.invMass = m_packs[0].inverseMass[side].lane[lane];
+                for (int i = 0; i < 9; ++i) body.invInertia[i] = m_packs[0].inverseInertia[side][kElement[i / 3][i % 3]].lane[lane];
+            }
+        std::vector<dxSpatialMotion> sums = m_free;
+        dxAddImpulses(packs(), 0, 1, masses.data(), sums.data());
+        return sums;
+    }
+
+    // Both bodies of the manifolds in the first four lanes.
+    void speedUp(double velocity) {
+        for (unsigned body = 0; body < 8; ++body) m_velocities[body].columns[0] += velocity;
+    }
+
     const std::vector<dxSpatialMotion> &velocities() const { return m_velocities; }
     dxContactLanes &contact(unsigned i) { return m_contacts[i]; }
     double energyOf(unsigned lane) const { return m_energies[0].lane[lane]; }
@@ -88,6 +108,8 @@ public:
     }
 
 private:
+    static constexpr int kElement[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};  // of a symmetric matrix: the place of a row's column
+
     float number() { return std::uniform_real_distribution<float>(-1, 1)(m_random); }
 
     static Vector vectorOf(const dxLaneNumbers *numbers, unsigned lane) {
@@ -146,7 +168,6 @@ private:
         const double impulse = (side == 0 ? 1 : -1) * contact.impulse[row].lane[lane];
         const Vector direction = vectorOf(contact.direction[row], lane),
                      axis = cross(offsetOf(contact, side, lane), direction);
-        constexpr int kElement[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
         for (std::size_t i = 0; i < 3; ++i) {
             all[static_cast<std::size_t>(target)].columns[i] += pack.inverseMass[side].lane[lane] * direction[i] * impulse;
             for (std::size_t k = 0; k < 3; ++k)
@@ -238,10 +259,29 @@ TEST(ContactSweep, LeavesTheVelocitiesThatTheForcesGive) {
             pack.prepare();
             pack.apply();
             for (int i = 0; i < 5; ++i) pack.sweep();
-            const std::vector<dxSpatialMotion> expected = pack.expectedVelocities();
+            const std::vector<dxSpatialMotion> expected = pack.expectedVelocities(), sum = pack.sum();
             for (unsigned body = 0; body < Pack::kBodies; ++body)
-                for (int k = 0; k < 6; ++k) EXPECT_NEAR(pack.velocities()[body].columns[k], expected[body].columns[k], kRounding);
+                for (int k = 0; k < 6; ++k) {
+                    EXPECT_NEAR(pack.velocities()[body].columns[k], expected[body].columns[k], kRounding);
+                    EXPECT_NEAR(sum[body].columns[k], expected[body].columns[k], 1e-12);
+                }
         }
+    });
+}
+
+// Two bodies that move together at 1000 km/s push one another apart as at rest.
+TEST(ContactSweep, SeesTheDifferenceOfLargeVelocities) {
+    onAllInstructionSets([] {
+        constexpr double kVelocity = 1e6;
+        Pack slow(5), fast(5);
+        fast.speedUp(kVelocity);
+        for (Pack *const pack : {&slow, &fast}) {
+            pack->prepare();
+            pack->apply();
+            for (int i = 0; i < 5; ++i) pack->sweep();
+        }
+        for (unsigned body = 0; body < 8; ++body)
+            EXPECT_NEAR(fast.velocities()[body].columns[0] - kVelocity, slow.velocities()[body].columns[0], kRounding);
     });
 }
 
