@@ -23,7 +23,7 @@ TEST_P(SorOrder, ByScheduleHasTheSameResult) {
         reference.putFrictionLast();
         dxScheduleSor(ours.problem());
         ASSERT_TRUE(std::is_permutation(ours.scheduled.begin(), ours.scheduled.end(), reference.order.begin()));
-        dxSorSweep(ours.problem(), ours.scheduled.data());
+        dxSorSweep(ours.problem(), ours.scheduled.data(), ours.problem().isLarge());
         sweepOneByOne(reference);
         EXPECT_TRUE(sameState(ours, reference)) << size.joints << " joints";
     }

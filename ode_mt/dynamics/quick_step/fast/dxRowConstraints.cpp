@@ -253,7 +253,7 @@ double dxRowConstraints::sweep(unsigned begin, unsigned end, dxSpatialMotion *ve
     problem.rowCount = static_cast<unsigned>(order.size());
     problem.rows = m_rows;
     problem.accelerations = velocities;
-    dxSorSweep(problem, order.data());
+    dxSorSweep(problem, order.data(), m_rowCount >= dxIslandProblem::kLarge);
     if (!isMeasured) return 0;
     return forJoints(begin, end, [&](unsigned row) {
         const dReal now = m_rows[row].lambda, change = now - std::exchange(m_last[row], now);

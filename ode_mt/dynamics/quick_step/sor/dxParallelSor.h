@@ -44,7 +44,7 @@ public:
         partition(problem, parts);
     }
 
-    // Computes what `times` calls of dxSorSweep(problem, order) compute.
+    // Computes what `times` calls of dxSorSweep(problem, order, isLarge) compute.
     void sweep(const dxIslandProblem &problem, const int *order, unsigned times, dxTaskRunner &runner);
 
 private:

@@ -70,7 +70,7 @@ void dxSorSolver::sweep(const dxIslandProblem &problem, unsigned times) {
             m_islandWorkers = nullptr;
         }
     }
-    for (unsigned i = 0; i < times; ++i) dxSorSweep(problem, problem.order);
+    for (unsigned i = 0; i < times; ++i) dxSorSweep(problem, problem.order, problem.isLarge());
 }
 
 // Below two parts the caller sweeps alone.

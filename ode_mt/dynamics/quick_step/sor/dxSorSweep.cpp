@@ -202,9 +202,9 @@ HWY_EXPORT(sweepLarge);
 HWY_EXPORT(takeRun);
 }  // namespace dxSorKernels
 
-void dxSorSweep(const dxIslandProblem &problem, const int *order) {
+void dxSorSweep(const dxIslandProblem &problem, const int *order, bool isLarge) {
     using namespace dxSorKernels;
-    if (problem.isLarge()) {
+    if (isLarge) {
         HWY_DYNAMIC_DISPATCH(sweepLarge)(problem, order);
     } else {
         HWY_DYNAMIC_DISPATCH(sweepSmall)(problem, order);
