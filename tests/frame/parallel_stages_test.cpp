@@ -84,7 +84,7 @@ const Scene kScenes[] = {
      [] { playPacked(10, 10, dWorldQuickStep); },
      {Stage::PairKeys, Stage::KeptPairKeys, Stage::NarrowphasePrefetch, Stage::Bodies, Stage::Joints, Stage::RightHandSides,
       Stage::Rows, Stage::SorPlan, Stage::SorSweep, Stage::Motion}},
-    {"LargeIslandOfAFastWorld", [] { playPacked(16, 16, dWorldQuickStep, "fast"); }, {Stage::PgsSweep}},
+    {"LargeIslandOfAFastWorld", [] { playPacked(24, 24, dWorldQuickStep, "fast"); }, {Stage::PgsSweep}},
     {"LargeIslandInBodySpace", [] { playPacked(16, 16, dWorldStep, "fast"); }, {Stage::BodySpace}},
     // In a row, so that each box touches few others and the factor has zeros to skip.
     {"LargeExactIsland",

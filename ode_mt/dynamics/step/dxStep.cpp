@@ -1,5 +1,6 @@
 #include "dynamics/step/dxStep.h"
 
+#include <algorithm>
 #include <new>
 
 #include "core/dxStopwatch.h"
@@ -37,10 +38,14 @@ void followAndLearn(dxStepPlan &plan, const dxStepCall &call) {
 // steppers do.
 bool isSolvedFast(const dxWorld *world) { return dxWorldSettings::of(world).isFast() && !dxWorldWorkers::haveToBeAsked(world); }
 
-// Small islands of a fast dWorldQuickStep are solved together, in groups. 1200: a group of this many bodies and joints still fits L2; each of its
-// contacts is a lane of a vector, and two islands of 600 would not fill the lanes. 40: in a group with other joints contacts are rows, and sweeps are
-// shorter if it fits L1; such a group only saves preparations of tiny islands.
-constexpr dxGroupSizes kFastQuickStepGroups = {2400, 40};
+// Small islands of a fast dWorldQuickStep are solved together, in groups. In islands of contacts each is a lane of a vector: 800 bodies and joints fill
+// the lanes with stacks of ten boxes, three times as many with pyramids of 55, and still fit L2. They are as few as leave 16 groups for threads; the
+// number of threads itself changes no group, and so no bit. 40: beside other joints contacts are rows, and sweeps are shorter if these fit L1; such a
+// group only saves preparations of tiny islands.
+dxGroupSizes fastQuickStepGroups(const dxWorld &world) {
+    constexpr unsigned kGroups = 16, kMin = 800, kMax = 2400, kOfJoints = 40;
+    return {std::clamp(static_cast<unsigned>(world.nb + world.nj) / kGroups, kMin, kMax), kOfJoints};
+}
 
 // Returns null if there is no memory: then a step begins with zero forces, and SOR solves it.
 dxFastQuickStepState *beginFastQuickStep(const dxStepCall &call) try {
@@ -67,7 +72,7 @@ bool dxPrepareStepIslands(dxWorld *world, dxWorldProcessIslandsInfo &info, dReal
 bool dxPrepareWorldIslands(dxWorld *world, dxWorldProcessIslandsInfo &info, dReal stepSize, dmemestimate_fn_t estimate) {
     if (!isSolvedFast(world)) return dxPrepareStep(world, info, stepSize, estimate);
     if (estimate == &dxEstimateQuickStepMemoryRequirements)
-        return dxPrepareGroups(world, info, stepSize, estimate, kFastQuickStepGroups);
+        return dxPrepareGroups(world, info, stepSize, estimate, fastQuickStepGroups(*world));
     return dxPrepareStep(world, info, stepSize, &dxEstimateFastWorldStepMemory);  // no matrix of rows by rows
 }
 
