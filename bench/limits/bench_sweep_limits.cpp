@@ -148,7 +148,7 @@ void makeOrder(const dxIslandProblem &problem, Order order) {
 void sweep(benchmark::State &state, Island island, Order order) {
     const dxIslandProblem problem = island.problem();
     makeOrder(problem, order);
-    for (auto _ : state) dxSorSweep(problem, problem.order);
+    for (auto _ : state) dxSorSweep(problem, problem.order, problem.isLarge());
     state.counters["ns/row"] =
         benchmark::Counter(static_cast<double>(problem.rowCount) * 1e-9, benchmark::Counter::kIsIterationInvariantRate |
                                                                               benchmark::Counter::kInvert);

@@ -103,7 +103,7 @@ TEST_P(EveryScene, NeverTestsStaticAgainstStatic) {
         run(*scene, 50);
         EXPECT_EQ(pairs.staticPairs, 0u) << space;
         // Balls of the net do not collide, and cubes fall for longer until they meet the drum.
-        if (GetParam() != "joint_grid" && GetParam() != "washer") EXPECT_GT(pairs.count, 0u) << space;
+        if (GetParam() != "joint_grid" && GetParam() != "washer") { EXPECT_GT(pairs.count, 0u) << space; }
     }
 }
 
