@@ -214,7 +214,8 @@ TEST(ContactSweep, KeepsAGivenDirection) {
         Pack pack(2);
         for (int axis = 0; axis < 3; ++axis) pack.contact(0).direction[dxContactLanes::kTangent][axis].lane[3] = 0.25f * static_cast<float>(axis + 1);
         pack.prepare();
-        for (int axis = 0; axis < 3; ++axis) EXPECT_EQ(pack.contact(0).direction[dxContactLanes::kTangent][axis].lane[3], 0.25f * static_cast<float>(axis + 1));
+        for (int axis = 0; axis < 3; ++axis)
+            EXPECT_EQ(pack.contact(0).direction[dxContactLanes::kTangent][axis].lane[3], 0.25f * static_cast<float>(axis + 1));
     });
 }
 
@@ -294,7 +295,8 @@ TEST(ContactSweep, FindsTheEnergyOfAppliedImpulses) {
             for (unsigned i = 0; i < Pack::kContacts; ++i)
                 for (int axis = 0; axis < 3; ++axis)
                     for (unsigned lane = 0; lane < dxLanes::kCount; ++lane)
-                        if (pack.has(lane, i)) pack.contact(i).impulse[axis].lane[lane] = 0.3f * static_cast<float>(axis) - 0.05f * static_cast<float>(lane);
+                        if (pack.has(lane, i))
+                            pack.contact(i).impulse[axis].lane[lane] = 0.3f * static_cast<float>(axis) - 0.05f * static_cast<float>(lane);
             pack.prepare();
             const std::vector<dxSpatialMotion> before = pack.velocities();
             const double found = pack.apply();

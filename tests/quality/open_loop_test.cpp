@@ -141,7 +141,8 @@ class OpenLoop : public testing::TestWithParam<Scene> {
 protected:
     // The scene's own steps; their problems are saved.
     Norms run(const Engine &engine, int iterations) {
-        return normsOf(answerOf(engine, {"run", GetParam().name, "--frames", std::to_string(GetParam().frames), "--problems", std::to_string(GetParam().problems),
+        const Scene &scene = GetParam();
+        return normsOf(answerOf(engine, {"run", scene.name, "--frames", std::to_string(scene.frames), "--problems", std::to_string(scene.problems),
                                          "--iterations", std::to_string(iterations), "--save", m_problems})["steps"]);
     }
     // The saved problems.

@@ -38,10 +38,10 @@ void followAndLearn(dxStepPlan &plan, const dxStepCall &call) {
 // steppers do.
 bool isSolvedFast(const dxWorld *world) { return dxWorldSettings::of(world).isFast() && !dxWorldWorkers::haveToBeAsked(world); }
 
-// Small islands of a fast dWorldQuickStep are solved together, in groups. In islands of contacts each is a lane of a vector: 800 bodies and joints fill
-// the lanes with stacks of ten boxes, three times as many with pyramids of 55, and still fit L2. They are as few as leave 16 groups for threads; the
-// number of threads itself changes no group, and so no bit. 40: beside other joints contacts are rows, and sweeps are shorter if these fit L1; such a
-// group only saves preparations of tiny islands.
+// Small islands of a fast dWorldQuickStep are solved together, in groups. In islands of contacts each is a lane of a vector: 800 bodies and joints
+// fill the lanes with stacks of ten boxes, three times as many with pyramids of 55, and still fit L2. They are as few as leave 16 groups for threads;
+// the number of threads itself changes no group, and so no bit. 40: beside other joints contacts are rows, and sweeps are shorter if these fit L1;
+// such a group only saves preparations of tiny islands.
 dxGroupSizes fastQuickStepGroups(const dxWorld &world) {
     constexpr unsigned kGroups = 16, kMin = 800, kMax = 2400, kOfJoints = 40;
     return {std::clamp(static_cast<unsigned>(world.nb + world.nj) / kGroups, kMin, kMax), kOfJoints};

@@ -7,8 +7,8 @@
 
 #include "dynamics/step/islands/dxIslandProblem.h"
 
-// Relaxes every row once, in this order. Each row's columns are scaled and its impulse is set (dxSorSolver). `isLarge`: of the problem whose rows these
-// are, or a part of them.
+// Relaxes every row once, in this order. Each row's columns are scaled and its impulse is set (dxSorSolver). `isLarge`: of the problem whose rows
+// these are, or a part of them.
 void dxSorSweep(const dxIslandProblem &problem, const int *order, bool isLarge);
 
 // --- a part of a sweep: consecutive rows up to a dependency on another thread (dxParallelSor) ---------------------
