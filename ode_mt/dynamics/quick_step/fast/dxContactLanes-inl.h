@@ -273,12 +273,13 @@ struct Changes {
         return {{zero, zero, zero}, {zero, zero, zero}};
     }
 
-    // Adds them to the velocities; those of bodies that do not move are added to `elsewhere`.
-    HWY_INLINE void addTo(const dxContactPack &pack, unsigned side, unsigned first, dxSpatialMotion *velocities, dxSpatialMotion &elsewhere) const {
+    // Adds them to the velocities; those of bodies that do not move are added to `elsewhere`, by lane: additions
+    // to one place would wait for one another.
+    HWY_INLINE void addTo(const dxContactPack &pack, unsigned side, unsigned first, dxSpatialMotion *velocities, dxSpatialMotion *elsewhere) const {
         dReal *rows[kLanes];
         for (unsigned i = 0; i < kLanes; ++i) {
             const int target = pack.target[side][first + i];
-            rows[i] = target == dxContactPack::kNoBody ? elsewhere.columns : velocities[target].columns;
+            rows[i] = target == dxContactPack::kNoBody ? elsewhere[first + i].columns : velocities[target].columns;
         }
         addMotion({{v.x, v.y, v.z, w.x, w.y, w.z}}, rows);
     }

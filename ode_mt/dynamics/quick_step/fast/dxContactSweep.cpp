@@ -43,12 +43,12 @@ struct Wrench {
 template <class Work>
 HWY_INLINE void forMovingPacks(const dxContactPacks &contacts, unsigned begin, unsigned end, unsigned minContacts, dxSpatialMotion *velocities,
                                const Work &work) {
-    dxSpatialMotion elsewhere = {};
+    dxSpatialMotion elsewhere[2][dxLanes::kCount] = {};
     forPacks(contacts, begin, end, minContacts, velocities, [&](const dxContactPack &pack, unsigned first, const RelativeMotion &motion) HWY_ATTR {
         Changes changeA = Changes::none(), changeB = Changes::none();
         work(pack, first, motion, changeA, changeB);
-        changeA.addTo(pack, 0, first, velocities, elsewhere);
-        changeB.addTo(pack, 1, first, velocities, elsewhere);
+        changeA.addTo(pack, 0, first, velocities, elsewhere[0]);
+        changeB.addTo(pack, 1, first, velocities, elsewhere[1]);
     });
 }
 
