@@ -146,7 +146,7 @@ HWY_INLINE Motion loadByBlocks(const Row &row) {
              oddBlocks(a[1], b[1])}};
 }
 
-HWY_INLINE void addByBlocks(const Motion &change, dReal *const *rows) {
+HWY_INLINE void addMotion(const Motion &change, dReal *const *rows) {
     const Lane none = hn::Zero(LaneTag());
     const Lane *const column = change.column;
     Lane a[4] = {evenBlocks(column[0], column[4]), evenBlocks(column[1], column[5]), evenBlocks(column[2], none), evenBlocks(column[3], none)};
@@ -159,7 +159,13 @@ HWY_INLINE void addByBlocks(const Motion &change, dReal *const *rows) {
     }
 }
 
-#endif
+// `rows`: kLanes bodies.
+HWY_INLINE Motion loadMotion(const dReal *const *rows) { return loadByBlocks(BodyRow{rows}); }
+
+// Returns the velocities of bodies relative to others.
+HWY_INLINE Motion loadDifference(const dReal *const *rows, const dReal *const *others) { return loadByBlocks(BodyRowDifference{rows, others}); }
+
+#else
 
 // These take any number of lanes, through memory.
 template <class Number>
@@ -172,50 +178,46 @@ HWY_INLINE Motion loadByElements(const Number &number) {
     return motion;
 }
 
-HWY_INLINE void addByElements(const Motion &change, dReal *const *rows) {
+HWY_INLINE Motion loadMotion(const dReal *const *rows) {
+    return loadByElements([rows](unsigned row, unsigned i) { return rows[row][i]; });
+}
+
+HWY_INLINE Motion loadDifference(const dReal *const *rows, const dReal *const *others) {
+    return loadByElements([rows, others](unsigned row, unsigned i) { return rows[row][i] - others[row][i]; });
+}
+
+HWY_INLINE void addMotion(const Motion &change, dReal *const *rows) {
     HWY_ALIGN float columns[6][dxLanes::kCount];
     for (unsigned i = 0; i < 6; ++i) hn::Store(change.column[i], LaneTag(), columns[i]);
     for (unsigned row = 0; row < kLanes; ++row)
         for (unsigned i = 0; i < 6; ++i) rows[row][i] += columns[i][row];
 }
 
-// `rows`: kLanes bodies.
-HWY_INLINE Motion loadMotion(const dReal *const *rows) {
-#if HWY_MAX_BYTES >= 32
-    return loadByBlocks(BodyRow{rows});
-#else
-    return loadByElements([rows](unsigned row, unsigned i) { return rows[row][i]; });
 #endif
-}
 
-// Returns the velocities of bodies relative to others.
-HWY_INLINE Motion loadDifference(const dReal *const *rows, const dReal *const *others) {
-#if HWY_MAX_BYTES >= 32
-    return loadByBlocks(BodyRowDifference{rows, others});
-#else
-    return loadByElements([rows, others](unsigned row, unsigned i) { return rows[row][i] - others[row][i]; });
-#endif
+// As numbers of the tag: floats, or dReals.
+template <class Tag = LaneTag>
+HWY_INLINE hn::Vec<Tag> loadLanes(const dxLaneNumbers &numbers, unsigned first) {
+    const auto floats = hn::Load(hn::Rebind<float, Tag>(), numbers.lane + first);
+    if constexpr (sizeof(hn::TFromD<Tag>) == sizeof(float)) {
+        return floats;
+    } else {
+        return hn::PromoteTo(Tag(), floats);
+    }
 }
-
-HWY_INLINE void addMotion(const Motion &change, dReal *const *rows) {
-#if HWY_MAX_BYTES >= 32
-    addByBlocks(change, rows);
-#else
-    addByElements(change, rows);
-#endif
-}
-
-HWY_INLINE Lane loadLanes(const dxLaneNumbers &numbers, unsigned first) { return hn::Load(LaneTag(), numbers.lane + first); }
 HWY_INLINE void storeLanes(Lane lanes, dxLaneNumbers &numbers, unsigned first) {
     hn::Store(lanes, LaneTag(), numbers.lane + first);
 }
 
-struct Vector {
-    Lane x, y, z;
+template <class Number>
+struct VectorOf {
+    Number x, y, z;
 };
+using Vector = VectorOf<Lane>;
 
-HWY_INLINE Vector loadVector(const dxLaneNumbers *numbers, unsigned first) {
-    return {loadLanes(numbers[0], first), loadLanes(numbers[1], first), loadLanes(numbers[2], first)};
+template <class Tag = LaneTag>
+HWY_INLINE VectorOf<hn::Vec<Tag>> loadVector(const dxLaneNumbers *numbers, unsigned first) {
+    return {loadLanes<Tag>(numbers[0], first), loadLanes<Tag>(numbers[1], first), loadLanes<Tag>(numbers[2], first)};
 }
 
 HWY_INLINE void storeVector(const Vector &vector, dxLaneNumbers *numbers, unsigned first) {
@@ -227,9 +229,13 @@ HWY_INLINE void storeVector(const Vector &vector, dxLaneNumbers *numbers, unsign
 HWY_INLINE Lane dot(const Vector &a, const Vector &b) {
     return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
 }
-HWY_INLINE Vector add(const Vector &a, const Vector &b) { return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)}; }
+template <class Number>
+HWY_INLINE VectorOf<Number> add(const VectorOf<Number> &a, const VectorOf<Number> &b) {
+    return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
+}
 HWY_INLINE Vector subtract(const Vector &a, const Vector &b) { return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)}; }
-HWY_INLINE Vector scale(const Vector &a, Lane factor) {
+template <class Number>
+HWY_INLINE VectorOf<Number> scale(const VectorOf<Number> &a, Number factor) {
     return {hn::Mul(a.x, factor), hn::Mul(a.y, factor), hn::Mul(a.z, factor)};
 }
 
@@ -237,7 +243,8 @@ HWY_INLINE Vector scale(const Vector &a, Lane factor) {
 HWY_INLINE Lane atLeast(Lane low, Lane a) { return hn::IfThenElse(hn::Lt(a, low), low, a); }
 HWY_INLINE Lane clamp(Lane limit, Lane a) { return hn::IfThenElse(hn::Gt(a, limit), limit, atLeast(hn::Neg(limit), a)); }
 
-HWY_INLINE Vector cross(const Vector &a, const Vector &b) {
+template <class Number>
+HWY_INLINE VectorOf<Number> cross(const VectorOf<Number> &a, const VectorOf<Number> &b) {
     return {hn::Sub(hn::Mul(a.y, b.z), hn::Mul(a.z, b.y)), hn::Sub(hn::Mul(a.z, b.x), hn::Mul(a.x, b.z)),
             hn::Sub(hn::Mul(a.x, b.y), hn::Mul(a.y, b.x))};
 }

@@ -14,28 +14,45 @@ namespace dxContactKernels {
 namespace HWY_NAMESPACE {
 
 // The impulses of some contacts between the same bodies as one linear and one angular impulse in the centre of A.
-struct Wrench {
-    Vector impulse, turning;
+template <class Tag>
+struct WrenchOf {
+    using Number = hn::Vec<Tag>;
 
-    static HWY_INLINE Wrench none() {
-        const Lane zero = hn::Zero(LaneTag());
+    VectorOf<Number> impulse, turning;
+
+    static HWY_INLINE WrenchOf none() {
+        const Number zero = hn::Zero(Tag());
         return {{zero, zero, zero}, {zero, zero, zero}};
     }
 
     // `impulses`: along the contact's directions, from firstRow on
     template <unsigned kCount>
-    HWY_INLINE void add(const dxContactLanes &contact, const Lane (&impulses)[kCount], unsigned firstRow, unsigned first) {
-        Vector sum = scale(loadVector(contact.direction[firstRow], first), impulses[0]);
+    HWY_INLINE void add(const dxContactLanes &contact, const Number (&impulses)[kCount], unsigned firstRow, unsigned first) {
+        VectorOf<Number> sum = scale(loadVector<Tag>(contact.direction[firstRow], first), impulses[0]);
         for (unsigned i = 1; i < kCount; ++i)
-            sum = HWY_NAMESPACE::add(sum, scale(loadVector(contact.direction[firstRow + i], first), impulses[i]));
+            sum = HWY_NAMESPACE::add(sum, scale(loadVector<Tag>(contact.direction[firstRow + i], first), impulses[i]));
         impulse = HWY_NAMESPACE::add(impulse, sum);
-        turning = HWY_NAMESPACE::add(turning, cross(loadVector(contact.rA, first), sum));
+        turning = HWY_NAMESPACE::add(turning, cross(loadVector<Tag>(contact.rA, first), sum));
     }
+
+    HWY_INLINE void addAll(const dxContactLanes &contact, unsigned first) {
+        const Number impulses[] = {loadLanes<Tag>(contact.impulse[0], first), loadLanes<Tag>(contact.impulse[1], first),
+                                   loadLanes<Tag>(contact.impulse[2], first)};
+        add(contact, impulses, 0, first);
+    }
+
+    // Returns the angular impulse in the centre of B.
+    HWY_INLINE VectorOf<Number> turningOfB(const dxContactPack &pack, unsigned first) const {
+        return HWY_NAMESPACE::add(turning, cross(loadVector<Tag>(pack.dAB, first), impulse));
+    }
+};
+
+struct Wrench : WrenchOf<LaneTag> {
+    static HWY_INLINE Wrench none() { return {WrenchOf::none()}; }
 
     HWY_INLINE void actOn(const dxContactPack &pack, unsigned first, Changes &changeA, Changes &changeB) const {
         changeA.push(Masses::load(pack, 0, first), impulse, turning);
-        changeB.pull(Masses::load(pack, 1, first), impulse,
-                   HWY_NAMESPACE::add(turning, cross(loadVector(pack.dAB, first), impulse)));
+        changeB.pull(Masses::load(pack, 1, first), impulse, turningOfB(pack, first));
     }
 };
 
@@ -74,9 +91,7 @@ double apply(const dxContactPacks &contacts, unsigned begin, unsigned end, dxSpa
                        Wrench wrench = Wrench::none();
                        Lane sum = hn::Zero(LaneTag());
                        for (unsigned k = 0; k < pack.contactCount; ++k) {
-                           const Lane impulses[] = {loadLanes(own[k].impulse[0], first), loadLanes(own[k].impulse[1], first),
-                                                    loadLanes(own[k].impulse[2], first)};
-                           wrench.add(own[k], impulses, 0, first);
+                           wrench.addAll(own[k], first);
                            sum = hn::Add(sum, energyOf(own[k], first));
                        }
                        wrench.actOn(pack, first, changeA, changeB);
@@ -88,54 +103,24 @@ double apply(const dxContactPacks &contacts, unsigned begin, unsigned end, dxSpa
 }
 
 using RealTag = hn::CappedTag<dReal, 8>;
-using Reals = hn::Vec<RealTag>;
 constexpr unsigned kReals = hn::MaxLanes(RealTag());
-
-template <class Tag = RealTag>
-HWY_INLINE hn::Vec<Tag> loadReals(const dxLaneNumbers &numbers, unsigned first) {
-    const hn::Rebind<float, Tag> floats;
-    if constexpr (sizeof(hn::TFromD<Tag>) == sizeof(float)) {
-        return hn::Load(floats, numbers.lane + first);
-    } else {
-        return hn::PromoteTo(Tag(), hn::Load(floats, numbers.lane + first));
-    }
-}
 
 // What the impulses of each manifold of a pack are in all: a linear impulse, and an angular one in the centre of A and of B. On B they act reversed.
 struct RealWrenches {
     HWY_ALIGN dReal impulse[3][dxLanes::kCount], turning[2][3][dxLanes::kCount];
 
     HWY_INLINE void find(const dxContactPack &pack, const dxContactLanes *contacts, unsigned first) {
-        const RealTag d;
-        Reals sum[3] = {hn::Zero(d), hn::Zero(d), hn::Zero(d)}, turn[3] = {hn::Zero(d), hn::Zero(d), hn::Zero(d)};
-        for (unsigned k = 0; k < pack.contactCount; ++k) {
-            const dxContactLanes &contact = contacts[k];
-            Reals own[3], r[3];
-            for (unsigned axis = 0; axis < 3; ++axis) {
-                own[axis] = hn::Zero(d);
-                for (unsigned row = 0; row < dxContactLanes::kRows; ++row)
-                    own[axis] = hn::Add(own[axis], hn::Mul(loadReals(contact.direction[row][axis], first), loadReals(contact.impulse[row], first)));
-                sum[axis] = hn::Add(sum[axis], own[axis]);
-                r[axis] = loadReals(contact.rA[axis], first);
-            }
-            addCross(r, own, turn);
-        }
-        const Reals dAB[3] = {loadReals(pack.dAB[0], first), loadReals(pack.dAB[1], first), loadReals(pack.dAB[2], first)};
-        store(sum, impulse, first);
-        store(turn, turning[0], first);
-        addCross(dAB, sum, turn);
-        store(turn, turning[1], first);
+        WrenchOf<RealTag> wrench = WrenchOf<RealTag>::none();
+        for (unsigned k = 0; k < pack.contactCount; ++k) wrench.addAll(contacts[k], first);
+        store(wrench.impulse, impulse, first);
+        store(wrench.turning, turning[0], first);
+        store(wrench.turningOfB(pack, first), turning[1], first);
     }
 
-    static HWY_INLINE void addCross(const Reals (&a)[3], const Reals (&b)[3], Reals (&sum)[3]) {
-        for (unsigned i = 0; i < 3; ++i) {
-            const unsigned j = (i + 1) % 3, k = (i + 2) % 3;
-            sum[i] = hn::Add(sum[i], hn::Sub(hn::Mul(a[j], b[k]), hn::Mul(a[k], b[j])));
-        }
-    }
-
-    static HWY_INLINE void store(const Reals (&vector)[3], dReal (&numbers)[3][dxLanes::kCount], unsigned first) {
-        for (unsigned i = 0; i < 3; ++i) hn::Store(vector[i], RealTag(), numbers[i] + first);
+    static HWY_INLINE void store(const VectorOf<hn::Vec<RealTag>> &vector, dReal (&numbers)[3][dxLanes::kCount], unsigned first) {
+        hn::Store(vector.x, RealTag(), numbers[0] + first);
+        hn::Store(vector.y, RealTag(), numbers[1] + first);
+        hn::Store(vector.z, RealTag(), numbers[2] + first);
     }
 
     HWY_INLINE void actOn(const dxIslandBody &masses, unsigned side, unsigned lane, dReal *velocity) const {
