@@ -16,7 +16,7 @@ constexpr dReal kMass = REAL(268.08257310632899);  // kg, at 1000 kg/m³
 
 class JointGrid final : public WorldScene {
 public:
-    explicit JointGrid(const SceneOptions &options) : WorldScene(options, REAL(1.0) / 60) {
+    explicit JointGrid(const SceneOptions &options) : WorldScene(options, kBox3DStepSize) {
         useBox3DDefaults();
         const int n = options.size;
         const dReal top = kPitch * n;  // m, so that the lowest balls stay above 0

@@ -14,7 +14,7 @@ constexpr int kRows = 14, kColumns = 14;  // of the many pyramids
 
 class Pyramids final : public WorldScene {
 public:
-    Pyramids(const SceneOptions &options, int rows, int columns) : WorldScene(options, REAL(1.0) / 60) {
+    Pyramids(const SceneOptions &options, int rows, int columns) : WorldScene(options, kBox3DStepSize) {
         useBox3DDefaults();
         addGround();
         const int base = options.size;

@@ -26,7 +26,6 @@ constexpr dReal kLowest = REAL(1.5), kHighest = REAL(1.9);  // m, robots; above 
 constexpr dReal kCircle = 2;                                // m, radius of a robot's flight
 constexpr dReal kFlight = REAL(0.5);                        // rad/s along the circle
 constexpr dReal kStiffness = 20, kDamping = 9;              // N/m, N·s/m: hold a robot on its course
-constexpr dReal kPi = REAL(3.141592653589793);
 constexpr dReal kStepSize = REAL(0.01);  // s
 
 class Rays final : public WorldScene {

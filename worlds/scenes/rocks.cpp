@@ -12,7 +12,6 @@ namespace scenes {
 
 namespace {
 
-constexpr dReal kPi = REAL(3.1415926535897932);
 constexpr dReal kDensity = 1000;  // kg/m³
 
 // Corners spread evenly over a ball: a Fibonacci lattice.
@@ -39,7 +38,7 @@ std::vector<Vector3> randomOnBall(int count, dReal radius, Generator &random) {
 class Rocks : public WorldScene {
 protected:
     Rocks(const SceneOptions &options, const std::vector<Vector3> &corners)
-        : WorldScene(options, REAL(1.0) / 60), m_rock(std::make_shared<Polyhedron>(Polyhedron::hullOf(corners))) {
+        : WorldScene(options, kBox3DStepSize), m_rock(std::make_shared<Polyhedron>(Polyhedron::hullOf(corners))) {
         useBox3DDefaults();
         addGround();
     }

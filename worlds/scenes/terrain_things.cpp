@@ -15,7 +15,6 @@ namespace {
 constexpr dReal kSmallest = REAL(0.2), kLargest = REAL(0.5);     // m, sides, lengths and diameters of balls
 constexpr dReal kThinnest = REAL(0.08), kThickest = REAL(0.15);  // m, radii of capsules and cylinders
 constexpr dReal kDensity = 400;                                  // kg/m³
-constexpr dReal kPi = REAL(3.141592653589793);
 constexpr dReal kReach = REAL(0.44);    // m, farthest corner of the largest box from its middle
 constexpr dReal kSpacing = 2 * kReach;  // m: nothing touches at the start
 constexpr dReal kMargin = 1;            // m of ground around all

@@ -11,7 +11,6 @@ namespace scenes {
 
 namespace {
 
-constexpr dReal kPi = REAL(3.1415926535897932);
 constexpr int kPanels = 36, kPanelsPerRib = 9;
 constexpr dReal kRib = 14, kInside = 16, kOutside = 18;  // m, radii
 constexpr dReal kLength = 20, kHeight = 21;              // m, of the drum; of its axis above the ground
@@ -22,7 +21,7 @@ constexpr dReal kMass = 64;                              // kg, at 1000 kg/m³
 
 class Washer final : public WorldScene {
 public:
-    explicit Washer(const SceneOptions &options) : WorldScene(options, REAL(1.0) / 60) {
+    explicit Washer(const SceneOptions &options) : WorldScene(options, kBox3DStepSize) {
         useBox3DDefaults();
         addGround();
         addDrum();

@@ -71,7 +71,8 @@ protected:
     // Returns the surface of every contact of the pair. The default is m_surface.
     virtual dSurfaceParameters surface(dGeomID, dGeomID) const { return m_surface; }
 
-    // Gravity and friction of Box3D's defaults: 10 m/s², 0.6.
+    // What Box3D's benchmark has: 1/60 s; gravity 10 m/s² and friction 0.6.
+    static constexpr dReal kBox3DStepSize = REAL(1.0) / 60;  // s
     void useBox3DDefaults();
 
     dSurfaceParameters m_surface{};  // Coulomb pyramid with friction 0.8, slightly soft
