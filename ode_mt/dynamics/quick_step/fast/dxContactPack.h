@@ -1,27 +1,12 @@
-// Contacts as lanes: sixteen manifolds that share no moving body, side by side, so that one vector operation serves all of them.
+// Contacts as lanes (dxLanes.h): the contacts of a pair of bodies are a manifold, which is a lane of a pack.
 //
-// A manifold is the contacts between body A and body B, or between body A and the static environment. The unknowns of a contact are three
-// impulses p (force times step size): one along the normal, two along tangents. A row of the constraint asks for J u + softness p = bias, as far
-// as its limits allow: p(normal) >= 0, |p(tangent)| <= friction p(normal) + limit. u are the bodies' velocities at the end of the step.
-//
-// Numbers of lanes without a manifold are zero, and so are those of contacts that a manifold has fewer than its pack. Both do nothing.
-//
-// Numbers are floats: rows differ from the joints' by 6e-8 of their size, while what sweeps leave is more than a thousand times as much. The bodies'
-// velocities, to which all impulses add up, are of dReal.
+// The unknowns of a contact are three impulses p: one along the normal, two along tangents, with p(normal) >= 0 and
+// |p(tangent)| <= friction p(normal) + limit.
 #pragma once
 
 #include <cstdint>
 
-#include <ode/common.h>
-
-struct dxLanes {
-    static constexpr unsigned kCount = 16;  // a cache line, and the widest vector
-};
-
-// One number of each manifold of a pack.
-struct alignas(dxLanes::kCount * sizeof(float)) dxLaneNumbers {
-    float lane[dxLanes::kCount];
-};
+#include "dynamics/quick_step/fast/dxLanes.h"
 
 // One contact of each manifold. The members are in the order in which a sweep reads them: in another order sweeps took up to half as much
 // time again where contacts fit no cache.
@@ -39,17 +24,12 @@ struct dxContactLanes {
     dxLaneNumbers friction[kTangents], limit[kTangents];
 };
 
-struct dxContactPack {
+struct dxContactPack : dxLaneBodies {
     static constexpr unsigned kMaxContacts = 8;  // of a manifold; more contacts are another manifold
-    static constexpr int kNoBody = -1;
 
-    dxLaneNumbers inverseMass[2];        // of A, of B
-    dxLaneNumbers inverseInertia[2][6];  // in the world's frame: xx, xy, xz, yy, yz, zz
-    dxLaneNumbers dAB[3];                // x(A) - x(B), so that rB = rA + dAB; 0 without body B
-    int source[2][dxLanes::kCount];      // where a body's velocity is read
-    int target[2][dxLanes::kCount];      // where it is written; kNoBody for bodies that do not move
-    unsigned firstContact;               // in the array of dxContactLanes
-    unsigned contactCount;               // the largest number that a manifold of the pack has
+    dxLaneNumbers dAB[3];   // x(A) - x(B), so that rB = rA + dAB; 0 without body B
+    unsigned firstContact;  // in the array of dxContactLanes
+    unsigned contactCount;  // the largest number that a manifold of the pack has
 };
 
 // What an impulse of 1 along each of a contact's directions changes. Responses act between the contacts of one manifold only; the bodies' velocities

@@ -13,13 +13,6 @@ HWY_BEFORE_NAMESPACE();
 namespace dxContactKernels {
 namespace HWY_NAMESPACE {
 
-// Returns 0 for 0, without dividing by it: a program may trap divisions by zero.
-HWY_INLINE Lane inverseOf(Lane a) {
-    const Lane one = hn::Set(LaneTag(), 1.0f), none = hn::Zero(LaneTag());
-    const auto isNone = hn::Eq(a, none);
-    return hn::IfThenElse(isNone, none, hn::Div(one, hn::IfThenElse(isNone, one, a)));
-}
-
 // Returns a tangent of a normal of length 1, as upstream's dPlaneSpace chooses it: horizontal, unless the normal is nearly horizontal.
 HWY_INLINE Vector tangentOf(const Vector &normal) {
     const LaneTag d;
@@ -111,8 +104,8 @@ HWY_INLINE void findNormalResponses(const dxContactPack &pack, const dxContactLa
 }
 
 double prepare(const dxContactPacks &contacts, unsigned begin, unsigned end, const dxSpatialMotion *velocities) {
-    clearEnergies(contacts, begin, end);
-    Energy energy(contacts);
+    clearEnergies(contacts.energies, begin, end);
+    Energy energy(contacts.energies);
     forPacks(contacts, begin, end, 1, velocities,
              [&](const dxContactPack &pack, unsigned first, const RelativeMotion &motion) HWY_ATTR {
                  dxContactLanes *const own = contacts.contacts + pack.firstContact;
@@ -123,7 +116,7 @@ double prepare(const dxContactPacks &contacts, unsigned begin, unsigned end, con
                      sum = hn::Add(sum, prepareContact(pack, own[k], response, first, motion));
                  }
                  if (responses != nullptr) findNormalResponses(pack, own, first, responses);
-                 energy.add(pack, sum, first);
+                 energy.add(std::size_t(&pack - contacts.packs), sum, first);
              });
     return energy.sum();
 }

@@ -26,16 +26,6 @@ constexpr unsigned kPrefetchDistance = 3;  // manifolds
 // nothing.
 constexpr dReal kLargeFriction = dReal(1e30);
 
-// A number beyond the largest float becomes that one. NaN stays NaN.
-void write(dReal number, dxLaneNumbers &numbers, unsigned lane) {
-    constexpr dReal kLargest = std::numeric_limits<float>::max();
-    numbers.lane[lane] = static_cast<float>(std::clamp(number, -kLargest, kLargest));
-}
-
-void write(const dReal *vector, dxLaneNumbers *numbers, unsigned lane) {
-    for (int i = 0; i < 3; ++i) write(vector[i], numbers[i], lane);
-}
-
 dReal velocityAlong(const dxBody &body, const dReal *direction, const dReal *rA) {
     dVector3 axis;
     dCalcVectorCross3(axis, rA, direction);
@@ -61,8 +51,8 @@ void readFriction(dReal coefficient, bool isOfNormal, dReal stepSize, unsigned t
     const bool isInfinite = coefficient >= kLargeFriction;
     const dReal finite = isInfinite ? kLargeFriction : coefficient > 0 ? coefficient : dReal(0);
     const bool follows = isOfNormal && !isInfinite;
-    write(follows ? finite : 0, contact.friction[tangent], lane);
-    write(follows ? 0 : finite * stepSize, contact.limit[tangent], lane);
+    contact.friction[tangent].set(lane, follows ? finite : 0);
+    contact.limit[tangent].set(lane, follows ? 0 : finite * stepSize);
 }
 
 // Returns the offset from the centre of one of the bodies to a contact: rA or rB.
@@ -111,10 +101,7 @@ bool dxContactReader::read(const dxContactPacks &contacts, Lanes lanes, unsigned
         if (isLarge && i + 1 < end) prefetchForces(own + dxLanes::kCount);
         std::memset(contacts.contacts + pack.firstContact, 0, pack.contactCount * sizeof(dxContactLanes));
         for (unsigned lane = 0; lane < dxLanes::kCount; ++lane) {
-            for (int side = 0; side < 2; ++side) {
-                pack.source[side][lane] = static_cast<int>(m_step.island.bodyCount);
-                pack.target[side][lane] = dxContactPack::kNoBody;
-            }
+            pack.clear(lane, m_step.island.bodyCount);
             if (isLarge && i * dxLanes::kCount + lane + kPrefetchDistance < end * dxLanes::kCount)
                 prefetchJoints(own[lane + kPrefetchDistance]);
             if (own[lane] == nullptr) continue;
@@ -139,20 +126,11 @@ dxContactReader::ContactOrder dxContactReader::orderOf(const Manifold &manifold)
 }
 
 void dxContactReader::readBodies(dxContactPack &pack, unsigned lane, const Manifold &manifold) const {
-    constexpr int kElements[6] = {0, 1, 2, 4, 5, 8};
-    for (int side = 0; side < 2; ++side) {
-        if (manifold.body[side] == dxConstraintPlan::kNoBody) continue;
-        const dxIslandBody &body = m_bodies[manifold.body[side]];
-        pack.source[side][lane] = manifold.body[side];
-        if (!(body.invMass > 0)) continue;
-        pack.target[side][lane] = manifold.body[side];
-        write(body.invMass, pack.inverseMass[side], lane);
-        for (int i = 0; i < 6; ++i) write(body.invInertia[kElements[i]], pack.inverseInertia[side][i], lane);
-    }
+    pack.set(lane, manifold.body, m_bodies);
     if (manifold.body[1] == dxConstraintPlan::kNoBody) return;
     dVector3 dAB;
     dSubtractVectors3(dAB, m_step.island.bodies[manifold.body[0]]->posr.pos, m_step.island.bodies[manifold.body[1]]->posr.pos);
-    write(dAB, pack.dAB, lane);
+    dxSetLane(pack.dAB, lane, dAB);
 }
 
 void dxContactReader::readContact(dxContactLanes &contact, unsigned lane, const dxJoint &joint) const {
@@ -165,17 +143,17 @@ void dxContactReader::readContact(dxContactLanes &contact, unsigned lane, const 
         r[0][i] = own.contact.geom.pos[i] - own.node[0].body->posr.pos[i];
         if (own.node[1].body != nullptr) r[1][i] = own.contact.geom.pos[i] - own.node[1].body->posr.pos[i];
     }
-    write(r[0], contact.rA, lane);
-    write(normal, contact.direction[dxContactLanes::kNormal], lane);
-    if ((mode & dContactFDir1) != 0) write(own.contact.fdir1, contact.direction[dxContactLanes::kTangent], lane);
+    dxSetLane(contact.rA, lane, r[0]);
+    dxSetLane(contact.direction[dxContactLanes::kNormal], lane, normal);
+    if ((mode & dContactFDir1) != 0) dxSetLane(contact.direction[dxContactLanes::kTangent], lane, own.contact.fdir1);
 
-    write(pushOut(m_step, own, normal, r), contact.bias[0], lane);
-    write((mode & dContactMotion1) != 0 ? surface.motion1 : 0, contact.bias[1], lane);
-    write((mode & dContactMotion2) != 0 ? surface.motion2 : 0, contact.bias[2], lane);
+    contact.bias[0].set(lane, pushOut(m_step, own, normal, r));
+    contact.bias[1].set(lane, (mode & dContactMotion1) != 0 ? surface.motion1 : 0);
+    contact.bias[2].set(lane, (mode & dContactMotion2) != 0 ? surface.motion2 : 0);
     const dReal perStep = dRecip(m_step.stepSize), cfm = m_step.world->global_cfm;
-    write(perStep * ((mode & dContactSoftCFM) != 0 ? surface.soft_cfm : cfm), contact.softness[0], lane);
-    write(perStep * ((mode & dContactSlip1) != 0 ? surface.slip1 : cfm), contact.softness[1], lane);
-    write(perStep * ((mode & dContactSlip2) != 0 ? surface.slip2 : cfm), contact.softness[2], lane);
+    contact.softness[0].set(lane, perStep * ((mode & dContactSoftCFM) != 0 ? surface.soft_cfm : cfm));
+    contact.softness[1].set(lane, perStep * ((mode & dContactSlip1) != 0 ? surface.slip1 : cfm));
+    contact.softness[2].set(lane, perStep * ((mode & dContactSlip2) != 0 ? surface.slip2 : cfm));
     const dReal mu2 = (mode & dContactMu2) != 0 ? surface.mu2 : surface.mu;
     readFriction(surface.mu, (mode & dContactApprox1_1) != 0, m_step.stepSize, 0, lane, contact);
     readFriction(mu2, (mode & dContactApprox1_2) != 0, m_step.stepSize, 1, lane, contact);
@@ -190,7 +168,7 @@ void dxContactReader::startWarm(const dxContactPacks &contacts, const dxContactP
         [&](unsigned k, int axis) { return own[k].direction[dxContactLanes::kNormal][axis].lane[lane]; },
         [&](unsigned k, const dReal *impulse) {
             for (int axis = 0; axis < 3; ++axis)
-                write(std::isfinite(impulse[axis]) ? impulse[axis] : 0, own[k].impulse[axis], lane);
+                own[k].impulse[axis].set(lane, std::isfinite(impulse[axis]) ? impulse[axis] : 0);
         });
 }
 

@@ -83,8 +83,8 @@ HWY_INLINE Lane energyOf(const dxContactLanes &contact, unsigned first) {
 
 // The kinetic energy changes by the work of the wrench on the mean of the motions before and after it.
 double apply(const dxContactPacks &contacts, unsigned begin, unsigned end, dxSpatialMotion *velocities) {
-    clearEnergies(contacts, begin, end);
-    Energy energy(contacts);
+    clearEnergies(contacts.energies, begin, end);
+    Energy energy(contacts.energies);
     forMovingPacks(contacts, begin, end, 1, velocities,
                    [&](const dxContactPack &pack, unsigned first, const RelativeMotion &before, Changes &changeA, Changes &changeB) HWY_ATTR {
                        const dxContactLanes *const own = contacts.contacts + pack.firstContact;
@@ -97,53 +97,27 @@ double apply(const dxContactPacks &contacts, unsigned begin, unsigned end, dxSpa
                        wrench.actOn(pack, first, changeA, changeB);
                        const RelativeMotion twice = RelativeMotion::of(changeA, changeB, loadVector(pack.dAB, first)).plus(before).plus(before);
                        const Lane work = hn::Add(dot(wrench.impulse, twice.v), dot(wrench.turning, twice.w));
-                       energy.add(pack, hn::Add(sum, hn::Mul(hn::Set(LaneTag(), 0.5f), work)), first);
+                       energy.add(std::size_t(&pack - contacts.packs), hn::Add(sum, hn::Mul(hn::Set(LaneTag(), 0.5f), work)), first);
                    });
     return energy.sum();
 }
 
-using RealTag = hn::CappedTag<dReal, 8>;
-constexpr unsigned kReals = hn::MaxLanes(RealTag());
-
-// What the impulses of each manifold of a pack are in all: a linear impulse, and an angular one in the centre of A and of B. On B they act reversed.
-struct RealWrenches {
-    HWY_ALIGN dReal impulse[3][dxLanes::kCount], turning[2][3][dxLanes::kCount];
-
-    HWY_INLINE void find(const dxContactPack &pack, const dxContactLanes *contacts, unsigned first) {
+HWY_INLINE RealWrenches realWrenchesOf(const dxContactPack &pack, const dxContactLanes *contacts) {
+    RealWrenches wrenches;
+    for (unsigned first = 0; first < dxLanes::kCount; first += kReals) {
         WrenchOf<RealTag> wrench = WrenchOf<RealTag>::none();
         for (unsigned k = 0; k < pack.contactCount; ++k) wrench.addAll(contacts[k], first);
-        store(wrench.impulse, impulse, first);
-        store(wrench.turning, turning[0], first);
-        store(wrench.turningOfB(pack, first), turning[1], first);
+        RealWrenches::store(wrench.impulse, wrenches.impulse, first);
+        RealWrenches::store(wrench.turning, wrenches.turning[0], first);
+        RealWrenches::store(wrench.turningOfB(pack, first), wrenches.turning[1], first);
     }
-
-    static HWY_INLINE void store(const VectorOf<hn::Vec<RealTag>> &vector, dReal (&numbers)[3][dxLanes::kCount], unsigned first) {
-        hn::Store(vector.x, RealTag(), numbers[0] + first);
-        hn::Store(vector.y, RealTag(), numbers[1] + first);
-        hn::Store(vector.z, RealTag(), numbers[2] + first);
-    }
-
-    HWY_INLINE void actOn(const dxIslandBody &masses, unsigned side, unsigned lane, dReal *velocity) const {
-        const dReal sign = side == 0 ? dReal(1) : dReal(-1);
-        for (unsigned i = 0; i < 3; ++i) {
-            const dReal *const inertia = masses.invInertia + 3 * i;
-            const dReal turned = inertia[0] * turning[side][0][lane] + inertia[1] * turning[side][1][lane] + inertia[2] * turning[side][2][lane];
-            velocity[i] += sign * masses.invMass * impulse[i][lane];
-            velocity[3 + i] += sign * turned;
-        }
-    }
-};
+    return wrenches;
+}
 
 void addImpulses(const dxContactPacks &contacts, unsigned begin, unsigned end, const dxIslandBody *masses, dxSpatialMotion *velocities) {
     for (unsigned i = begin; i < end; ++i) {
         const dxContactPack &pack = contacts.packs[i];
-        RealWrenches wrenches;
-        for (unsigned first = 0; first < dxLanes::kCount; first += kReals) wrenches.find(pack, contacts.contacts + pack.firstContact, first);
-        for (unsigned lane = 0; lane < dxLanes::kCount; ++lane)
-            for (unsigned side = 0; side < 2; ++side) {
-                const int target = pack.target[side][lane];
-                if (target != dxContactPack::kNoBody) wrenches.actOn(masses[target], side, lane, velocities[target].columns);
-            }
+        realWrenchesOf(pack, contacts.contacts + pack.firstContact).actOn(pack, masses, velocities);
     }
 }
 
@@ -330,7 +304,7 @@ template <class Rows>
 HWY_INLINE double relaxPacks(const dxContactPacks &contacts, unsigned begin, unsigned end, const Visit &visit,
                              const dxOverRelaxation &relaxation, dxSpatialMotion *velocities) {
     const Factors factor(relaxation);
-    Energy energy(contacts);
+    Energy energy(contacts.energies);
     forMovingPacks(contacts, begin, end, Rows::kMinContacts, velocities,
                    [&](const dxContactPack &pack, unsigned first, const RelativeMotion &motion, Changes &changeA, Changes &changeB) HWY_ATTR {
                        dxContactLanes *const own = contacts.contacts + pack.firstContact;
@@ -342,14 +316,14 @@ HWY_INLINE double relaxPacks(const dxContactPacks &contacts, unsigned begin, uns
                            found = relaxManifold<Rows>(pack, own, responses, first, visit, factor, motion, changeA, changeB);
                        else
                            found = relaxManifold<Rows>(pack, own, first, visit, factor, motion, changeA, changeB);
-                       energy.add(pack, found, first);
+                       energy.add(std::size_t(&pack - contacts.packs), found, first);
                    });
     return energy.sum();
 }
 
 double sweep(const dxContactPacks &contacts, unsigned begin, unsigned end, dxSweepPart part, const dxOverRelaxation &factor,
              dxSpatialMotion *velocities) {
-    if (dxIsFirst(part)) clearEnergies(contacts, begin, end);
+    if (dxIsFirst(part)) clearEnergies(contacts.energies, begin, end);
     switch (part) {
     case dxSweepPart::AllRows: return relaxPacks<AllRows>(contacts, begin, end, {0, 1, 2}, factor, velocities);
     case dxSweepPart::Normals: return relaxPacks<NormalRow>(contacts, begin, end, {0, 1, 2}, factor, velocities);
