@@ -9,6 +9,8 @@ namespace {
 
 using Row = dxConstraintRow;
 
+constexpr unsigned kMaxRows = 6;  // of a joint
+
 constexpr std::size_t kJointsPerJob = 32;  // some ten microseconds
 
 // From one row to the next, in the unit that joints count in.
@@ -35,6 +37,29 @@ void addUp(const dReal *columns, std::size_t stride, const Row *rows, unsigned c
 }
 
 }  // namespace
+
+void dxReadJointRows(const dxIslandStep &step, dxJoint &joint, unsigned count, Row *rows) {
+    const dReal perStep = dRecip(step.stepSize);
+    const dxWorld &world = *step.world;
+    for (unsigned i = 0; i < count; ++i) resetRow(rows[i], world.global_cfm);
+    int boundingRow[kMaxRows];
+    std::fill_n(boundingRow, count, Row::kNone);
+
+    dReal *const first = reinterpret_cast<dReal *>(rows);
+    joint.getInfo2(perStep, world.global_erp, kRowStride, first + Row::kBody1, first + Row::kBody2, kRowStride, first + Row::kRhs,
+                   first + Row::kLow, boundingRow);
+
+    const int body1 = indexOf(joint.node[0].body), body2 = indexOf(joint.node[1].body);
+    for (unsigned i = 0; i < count; ++i) {
+        Row &row = rows[i];
+        row.jacobian[Row::kRhs] *= perStep;
+        row.jacobian[Row::kCfm] *= perStep;
+        row.lambda = 0;
+        row.body[0] = body1;
+        row.body[1] = body2;
+        row.boundingRow = boundingRow[i];
+    }
+}
 
 dxJointRows::dxJointRows(const dxIslandStep &step) : m_step(step) {
     const dxIsland &island = step.island;
@@ -78,28 +103,10 @@ void dxJointRows::readAll(Row *rows, std::size_t begin, std::size_t end) const {
 }
 
 void dxJointRows::readJoint(Row *rows, const Joint &joint) const {
-    const dReal perStep = dRecip(m_step.stepSize);
-    const dxWorld &world = *m_step.world;
-    const unsigned count = rowsOf(joint);
     Row *const own = rows + joint.firstRow;
-    for (unsigned i = 0; i < count; ++i) resetRow(own[i], world.global_cfm);
-    int boundingRow[kMaxRows];
-    std::fill_n(boundingRow, count, Row::kNone);
-
-    dReal *const first = reinterpret_cast<dReal *>(own);
-    joint.joint->getInfo2(perStep, world.global_erp, kRowStride, first + Row::kBody1, first + Row::kBody2, kRowStride,
-                          first + Row::kRhs, first + Row::kLow, boundingRow);
-
-    const int body1 = indexOf(joint.joint->node[0].body), body2 = indexOf(joint.joint->node[1].body);
-    for (unsigned i = 0; i < count; ++i) {
-        Row &row = own[i];
-        row.jacobian[Row::kRhs] *= perStep;
-        row.jacobian[Row::kCfm] *= perStep;
-        row.lambda = 0;
-        row.body[0] = body1;
-        row.body[1] = body2;
-        row.boundingRow = boundingRow[i] == Row::kNone ? Row::kNone : boundingRow[i] + static_cast<int>(joint.firstRow);
-    }
+    dxReadJointRows(m_step, *joint.joint, rowsOf(joint), own);
+    for (unsigned i = 0; i < rowsOf(joint); ++i)
+        if (own[i].hasFrictionIndex()) own[i].boundingRow += static_cast<int>(joint.firstRow);
     if (hasCopy(joint)) copyJacobian(own, joint);
 }
 

@@ -4,6 +4,10 @@
 #include "dynamics/step/islands/dxIslandProblem.h"
 #include "dynamics/step/islands/dxIslandStep.h"
 
+// Asks one joint for its rows (dxJoint::getInfo2), `count` by getInfo1. Afterwards the rows' Jacobians, right-hand sides, cfm, limits and bodies are
+// set; bounding rows are counted from the joint's first row, and lambda is 0.
+void dxReadJointRows(const dxIslandStep &step, dxJoint &joint, unsigned count, dxConstraintRow *rows);
+
 class dxJointRows {
 public:
     // Asks the joints how many rows they have (dxJoint::getInfo1). Serial, in the island's order. Takes memory of the step's arena.
@@ -33,7 +37,6 @@ private:
         unsigned firstCopy;  // of the copied Jacobians
     };
 
-    static constexpr unsigned kMaxRows = 6;      // of a joint
     static constexpr std::size_t kCopyColumns = 12;
 
     bool hasOnlyContacts() const;

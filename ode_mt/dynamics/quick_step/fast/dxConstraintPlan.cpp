@@ -14,7 +14,7 @@
 namespace {
 
 // A chunk takes some ten microseconds of a sweep.
-constexpr unsigned kPacksPerChunk = 16, kRowJointsPerChunk = 64;
+constexpr unsigned kPacksPerChunk = 16, kJointPacksPerChunk = 16, kRowJointsPerChunk = 64;
 
 // Up to this number, one thread solves all joints in rows, before contacts in lanes.
 constexpr std::size_t kMaxSerial = 1000;
@@ -32,6 +32,15 @@ bool isContact(const dxJoint &joint) { return joint.type() == dJointTypeContact;
 
 bool isRolling(const dxJoint &contact) {
     return (static_cast<const dxJointContact &>(contact).contact.surface.mode & dContactRolling) != 0;
+}
+
+// Returns the largest number of rows that a joint may have as a lane; 0: it is none. The forces on the two bodies of a transmission are not
+// opposite.
+unsigned laneRowsOf(dxJoint &joint) {
+    if (joint.type() == dJointTypeTransmission) return 0;
+    dxJoint::SureMaxInfo info;
+    joint.getSureMaxInfo(&info);
+    return info.max_m;
 }
 
 // Drawn anew in each step, as long as the body moves.
@@ -77,6 +86,48 @@ private:
     unsigned m_count = 0;
 };
 
+// Places constraints in packs, a colour after the other. In a colour those with many contacts or rows come first, so that the lanes of a
+// pack have similar numbers of them.
+class PackPlaces {
+public:
+    static constexpr unsigned kMaxSize = std::max(dxContactPack::kMaxContacts, dxJointPack::kMaxRows);
+
+    struct Place {
+        unsigned pack, lane;
+    };
+
+    // A constraint has a colour and `size` contacts or rows.
+    void count(unsigned color, unsigned size) { ++placeOf(color, size); }
+
+    // Writes the first pack of each colour, and the end. Returns the number of packs, and of their contacts or rows.
+    dxPackCount makePacks(unsigned colors, unsigned *firstPack) {
+        dxPackCount packs = {0, 0};
+        for (unsigned color = 0; color < colors; ++color) {
+            firstPack[color] = static_cast<unsigned>(packs.packs);
+            unsigned count = 0;
+            for (unsigned size = kMaxSize; size > 0; --size) {
+                const unsigned own = std::exchange(placeOf(color, size), firstPack[color] * dxLanes::kCount + count);
+                packs.contacts += (dxLanes::packsOf(count + own) - dxLanes::packsOf(count)) * size;
+                count += own;
+            }
+            packs.packs += dxLanes::packsOf(count);
+        }
+        firstPack[colors] = static_cast<unsigned>(packs.packs);
+        return packs;
+    }
+
+    // Requires makePacks(). Once for each constraint that was counted.
+    Place take(unsigned color, unsigned size) {
+        const unsigned number = placeOf(color, size)++;
+        return {number / dxLanes::kCount, number % dxLanes::kCount};
+    }
+
+private:
+    unsigned &placeOf(unsigned color, unsigned size) { return m_places[color * kMaxSize + size - 1]; }
+
+    unsigned m_places[EdgeColors::kMaxColors * kMaxSize] = {};  // the number of constraints; then the place of the next one
+};
+
 }  // namespace
 
 class dxConstraintPlan::Maker {
@@ -89,6 +140,7 @@ public:
         readJoints();
         findIslands();
         placeContacts();
+        placeJoints();
         listRowJoints();
         colorRowJoints();
         cutChunks();
@@ -113,12 +165,16 @@ private:
     std::size_t contactsOfBusiestBody() const;
     void makePacks(const dxPackCount &count);
 
+    void placeJoints();
+    void makeJointPacks(std::size_t count, PackPlaces &places);
+
     void listRowJoints();
     void colorRowJoints();
     void cutChunks();
     template <class AddChunks>
     void addPhase(const AddChunks &addChunks);
     void cutPacks(unsigned begin, unsigned end);
+    void cutJointPacks(unsigned begin, unsigned end);
     void cutRowJoints(unsigned begin, unsigned end);
 
     static bool fillsLanes(std::size_t contacts, std::size_t packedContacts) { return contacts > kMinLanes * packedContacts; }
@@ -129,12 +185,18 @@ private:
     const dxArenaArray<const std::uint8_t> m_moves;  // by body
     const dxArenaArray<unsigned> m_reach;            // by body: the last one that is connected with it, or with one before it
     EdgeColors m_colors;
-    dxArenaArray<unsigned> m_otherJoints;                // that are no contacts
+    // Joints that are no contacts.
+    struct OtherJoint {
+        unsigned joint;
+        std::uint8_t color, laneRows;  // laneRows: 0: in rows
+    };
+    dxArenaArray<OtherJoint> m_otherJoints;
     std::size_t m_laneContacts = 0, m_rowContacts = 0;  // in manifolds that may be lanes, and in others
     std::size_t m_laneManifolds = 0;
-    unsigned m_packColors = 0;  // without colours, packs follow one another
+    unsigned m_packColors = 0, m_jointPackColors = 0;  // without colours, packs follow one another, and there are no packs of joints
     // By colour, and the end; of row joints, the overflow comes last.
-    unsigned m_firstPack[EdgeColors::kMaxColors + 1], m_firstRowJoint[EdgeColors::kMaxColors + 2];
+    unsigned m_firstPack[EdgeColors::kMaxColors + 1], m_firstJointPack[EdgeColors::kMaxColors + 1];
+    unsigned m_firstRowJoint[EdgeColors::kMaxColors + 2];
 };
 
 void dxConstraintPlan::make(const dxIsland &group, dxStepArena &arena) {
@@ -144,7 +206,7 @@ void dxConstraintPlan::make(const dxIsland &group, dxStepArena &arena) {
 
 void dxConstraintPlan::Maker::readJoints() {
     m_plan.m_manifolds = m_arena.takeList<Manifold>(m_group.jointCount);
-    m_otherJoints = m_arena.takeList<unsigned>(m_group.jointCount);
+    m_otherJoints = m_arena.takeList<OtherJoint>(m_group.jointCount);
     std::iota(m_reach.begin(), m_reach.end(), 0u);
     bool isAfterContact = false;
     const auto read = [&](std::size_t begin, std::size_t end) {
@@ -157,7 +219,7 @@ void dxConstraintPlan::Maker::readJoints() {
             }
             isAfterContact = false;
             connect(body);
-            m_otherJoints.push(static_cast<unsigned>(i));
+            m_otherJoints.push({static_cast<unsigned>(i), EdgeColors::kOverflowColor, 0});
         }
     };
     if (m_group.bodyCount < dxIslandPrefetch::kMinBodies) return read(0, m_group.jointCount);
@@ -239,33 +301,17 @@ std::size_t dxConstraintPlan::Maker::contactsOfBusiestBody() const {
     return *std::max_element(contacts.begin(), contacts.end());
 }
 
-// Manifolds with many contacts come first in a colour, so that the lanes of a pack have similar numbers of contacts. Returns whether lanes are
-// filled; the overflow is in rows then.
+// Returns whether lanes are filled; the overflow is in rows then.
 bool dxConstraintPlan::Maker::placeByColor() {
     std::size_t contacts = 0;
-    unsigned place[EdgeColors::kMaxColors * kMaxContacts] = {};
-    const auto placeOf = [&place](const Manifold &manifold) -> unsigned & {
-        return place[manifold.color * kMaxContacts + (kMaxContacts - manifold.contactCount)];
-    };
+    PackPlaces places;
     m_plan.forLaneManifolds([&](Manifold &manifold) {
         manifold.color = static_cast<std::uint8_t>(m_colors.take(manifold.body));
         if (manifold.color == EdgeColors::kOverflowColor) return;
         contacts += manifold.contactCount;
-        ++placeOf(manifold);
+        places.count(manifold.color, manifold.contactCount);
     });
-    const auto packsOf = [](unsigned manifolds) { return (manifolds + dxLanes::kCount - 1) / dxLanes::kCount; };
-    dxPackCount packs = {0, 0};
-    for (unsigned color = 0; color < m_colors.count(); ++color) {
-        m_firstPack[color] = static_cast<unsigned>(packs.packs);
-        unsigned count = 0;
-        for (unsigned i = 0; i < kMaxContacts; ++i) {
-            const unsigned own = std::exchange(place[color * kMaxContacts + i], m_firstPack[color] * dxLanes::kCount + count);
-            packs.contacts += (packsOf(count + own) - packsOf(count)) * std::size_t(kMaxContacts - i);
-            count += own;
-        }
-        packs.packs += packsOf(count);
-    }
-    m_firstPack[m_colors.count()] = static_cast<unsigned>(packs.packs);
+    const dxPackCount packs = places.makePacks(m_colors.count(), m_firstPack);
     if (contacts != 0 && !fillsLanes(contacts, packs.contacts)) {
         m_colors.begin();
         return false;
@@ -277,9 +323,9 @@ bool dxConstraintPlan::Maker::placeByColor() {
             --m_laneManifolds;
             return;
         }
-        const unsigned number = placeOf(manifold)++;
-        manifold.pack = number / dxLanes::kCount;
-        manifold.lane = static_cast<std::uint8_t>(number % dxLanes::kCount);
+        const PackPlaces::Place place = places.take(manifold.color, manifold.contactCount);
+        manifold.pack = place.pack;
+        manifold.lane = static_cast<std::uint8_t>(place.lane);
     });
     m_rowContacts += m_laneContacts - contacts;
     m_laneContacts = contacts;
@@ -306,17 +352,58 @@ void dxConstraintPlan::Maker::makePacks(const dxPackCount &count) {
     }
 }
 
+// Joints of large groups are coloured after the contacts.
+void dxConstraintPlan::Maker::placeJoints() {
+    m_plan.m_jointPacks = {};
+    m_plan.m_laneJoints = {};
+    m_plan.m_packedRows = 0;
+    if (m_rowContacts + m_otherJoints.size() <= kMaxSerial) return;
+    std::size_t rows = 0;
+    PackPlaces places;
+    for (OtherJoint &other : m_otherJoints) {
+        dxJoint &joint = *m_group.joints[other.joint];
+        const unsigned laneRows = laneRowsOf(joint);
+        if (laneRows == 0) continue;
+        other.color = static_cast<std::uint8_t>(m_colors.take({tagOf(joint.node[0].body), tagOf(joint.node[1].body)}));
+        if (other.color == EdgeColors::kOverflowColor) continue;
+        other.laneRows = static_cast<std::uint8_t>(laneRows);
+        rows += laneRows;
+        places.count(other.color, laneRows);
+    }
+    const dxPackCount packs = places.makePacks(m_colors.count(), m_firstJointPack);
+    if (rows != 0 && fillsLanes(rows, packs.contacts)) return makeJointPacks(packs.packs, places);
+    for (OtherJoint &other : m_otherJoints) other.laneRows = 0;
+}
+
+void dxConstraintPlan::Maker::makeJointPacks(std::size_t count, PackPlaces &places) {
+    m_jointPackColors = m_colors.count();
+    m_plan.m_jointPacks = m_arena.take<dxJointPack>(count);
+    std::memset(m_plan.m_jointPacks.data(), 0, count * sizeof(dxJointPack));
+    m_plan.m_laneJoints = m_arena.takeFilled(count * dxLanes::kCount, LaneJoint{LaneJoint::kNone, {kNoBody, kNoBody}});
+    for (const OtherJoint &other : m_otherJoints) {
+        if (other.laneRows == 0) continue;
+        const dxJoint &joint = *m_group.joints[other.joint];
+        const PackPlaces::Place place = places.take(other.color, other.laneRows);
+        m_plan.m_laneJoints[place.pack * dxLanes::kCount + place.lane] = {other.joint, {tagOf(joint.node[0].body), tagOf(joint.node[1].body)}};
+        dxJointPack &pack = m_plan.m_jointPacks[place.pack];
+        pack.rowCount = std::max<unsigned>(pack.rowCount, other.laneRows);
+    }
+    for (dxJointPack &pack : m_plan.m_jointPacks) pack.firstRow = std::exchange(m_plan.m_packedRows, m_plan.m_packedRows + pack.rowCount);
+}
+
 // Merges contacts and other joints in the order of the group.
 void dxConstraintPlan::Maker::listRowJoints() {
     m_plan.m_rowManifolds = m_plan.m_manifolds.size() - m_laneManifolds;
+    m_plan.m_laneContacts = static_cast<unsigned>(m_laneContacts);
     m_plan.m_hasContactsOnly = m_otherJoints.empty();
     m_plan.m_rowJoints = m_arena.takeList<RowJoint>(m_rowContacts + m_otherJoints.size());
     std::size_t next = 0;
     const auto listOthersBefore = [&](unsigned joint) {
-        for (; next < m_otherJoints.size() && m_otherJoints[next] < joint; ++next) {
-            const dxJoint &other = *m_group.joints[m_otherJoints[next]];
+        for (; next < m_otherJoints.size() && m_otherJoints[next].joint < joint; ++next) {
+            if (m_otherJoints[next].laneRows != 0) continue;
+            const dxJoint &other = *m_group.joints[m_otherJoints[next].joint];
             const int first = tagOf(other.node[0].body);
-            m_plan.m_rowJoints.push({m_otherJoints[next], first != kNoBody ? first : tagOf(other.node[1].body), EdgeColors::kOverflowColor});
+            m_plan.m_rowJoints.push({m_otherJoints[next].joint, first != kNoBody ? first : tagOf(other.node[1].body), m_otherJoints[next].color});
         }
     };
     m_plan.forRowManifolds([&](Manifold &manifold) {
@@ -334,6 +421,7 @@ void dxConstraintPlan::Maker::colorRowJoints() {
     m_plan.m_rowJointsInOrder = m_arena.take<unsigned>(joints.size());
     if (m_plan.m_hasSerialRows) return std::iota(m_plan.m_rowJointsInOrder.begin(), m_plan.m_rowJointsInOrder.end(), 0u);
     for (RowJoint &row : joints) {
+        if (row.color != EdgeColors::kOverflowColor) continue;  // it has one already
         const dxJoint &joint = *m_plan.jointOf(row);
         row.color = static_cast<std::uint8_t>(m_colors.take({tagOf(joint.node[0].body), tagOf(joint.node[1].body)}));
     }
@@ -352,18 +440,20 @@ void dxConstraintPlan::Maker::cutChunks() {
     const auto allPacks = static_cast<unsigned>(m_plan.m_packs.size());
     const unsigned maxPhases = 3 + colors + allPacks / kPacksPerChunk;
     m_plan.m_phases = m_arena.takeList<Phase>(maxPhases);
-    m_plan.m_chunks = m_arena.takeList<Chunk>(2 * maxPhases + allPacks / kPacksPerChunk + rows / kRowJointsPerChunk);
+    const std::size_t jointPacks = m_plan.m_jointPacks.size();
+    m_plan.m_chunks = m_arena.takeList<Chunk>(3 * maxPhases + allPacks / kPacksPerChunk + jointPacks / kJointPacksPerChunk + rows / kRowJointsPerChunk);
     const bool isSerial = m_plan.m_hasSerialRows;
-    if (isSerial && rows != 0) addPhase([&] { m_plan.m_chunks.push({0, 0, 0, rows}); });
+    if (isSerial && rows != 0) addPhase([&] { m_plan.m_chunks.push({0, 0, 0, 0, 0, rows}); });
     for (unsigned color = 0; color < colors; ++color)
         addPhase([&] {
             if (color < m_packColors) cutPacks(m_firstPack[color], m_firstPack[color + 1]);
+            if (color < m_jointPackColors) cutJointPacks(m_firstJointPack[color], m_firstJointPack[color + 1]);
             if (!isSerial) cutRowJoints(m_firstRowJoint[color], m_firstRowJoint[color + 1]);
         });
     const unsigned packs = m_packColors == 0 ? allPacks : 0;
     for (unsigned i = 0; i < packs; i += kPacksPerChunk) addPhase([&] { cutPacks(i, std::min(i + kPacksPerChunk, packs)); });
     const unsigned overflow = isSerial ? rows : m_firstRowJoint[colors];
-    if (overflow != rows) addPhase([&] { m_plan.m_chunks.push({0, 0, overflow, rows}); });
+    if (overflow != rows) addPhase([&] { m_plan.m_chunks.push({0, 0, 0, 0, overflow, rows}); });
 }
 
 template <class AddChunks>
@@ -375,9 +465,13 @@ void dxConstraintPlan::Maker::addPhase(const AddChunks &addChunks) {
 }
 
 void dxConstraintPlan::Maker::cutPacks(unsigned begin, unsigned end) {
-    for (unsigned i = begin; i < end; i += kPacksPerChunk) m_plan.m_chunks.push({i, std::min(i + kPacksPerChunk, end), 0, 0});
+    for (unsigned i = begin; i < end; i += kPacksPerChunk) m_plan.m_chunks.push({i, std::min(i + kPacksPerChunk, end), 0, 0, 0, 0});
+}
+
+void dxConstraintPlan::Maker::cutJointPacks(unsigned begin, unsigned end) {
+    for (unsigned i = begin; i < end; i += kJointPacksPerChunk) m_plan.m_chunks.push({0, 0, i, std::min(i + kJointPacksPerChunk, end), 0, 0});
 }
 
 void dxConstraintPlan::Maker::cutRowJoints(unsigned begin, unsigned end) {
-    for (unsigned i = begin; i < end; i += kRowJointsPerChunk) m_plan.m_chunks.push({0, 0, i, std::min(i + kRowJointsPerChunk, end)});
+    for (unsigned i = begin; i < end; i += kRowJointsPerChunk) m_plan.m_chunks.push({0, 0, 0, 0, i, std::min(i + kRowJointsPerChunk, end)});
 }

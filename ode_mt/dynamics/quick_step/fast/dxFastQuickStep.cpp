@@ -17,10 +17,8 @@ void numberBodies(const dxIsland &group) {
     }
 }
 
-// Returns the number of rows. A contact counts as three, also where it has no friction.
-unsigned countRows(const dxIsland &group, const dxConstraintPlan &plan, const dxRowJoints &joints) {
-    return 3 * (group.jointCount - static_cast<unsigned>(plan.rowJoints().size())) + joints.rowCount();
-}
+// Returns the number of rows beside those of joints in lanes. A contact counts as three, also where it has no friction.
+unsigned countRows(const dxConstraintPlan &plan, const dxRowJoints &joints) { return 3 * plan.laneContacts() + joints.rowCount(); }
 
 // Returns false if there is no memory; nothing of the bodies has changed then.
 bool solve(const dxIslandStep &step, dxNotificationPolicy &notifications) try {
@@ -29,7 +27,8 @@ bool solve(const dxIslandStep &step, dxNotificationPolicy &notifications) try {
     auto *const masses = step.arena->AllocateArray<dxIslandBody>(step.island.bodyCount);
     solver->begin(step, masses);                            // parallel: reads bodies and joints; writes the plan, masses, free velocities
     const dxRowJoints joints(step, solver->plan());         // serial: asks joints for rows, which may add to the bodies' accumulators
-    const dxSolverSpan span(countRows(step.island, solver->plan(), joints));
+    const unsigned laneRows = solver->readJoints(step);     // serial: the same of joints in lanes
+    const dxSolverSpan span(laneRows + countRows(solver->plan(), joints));
     solver->solve(step, joints, notifications);             // parallel: the stages are in dxPgsSolver.cpp; writes velocities, feedback
     return true;
 } catch (const std::bad_alloc &) {

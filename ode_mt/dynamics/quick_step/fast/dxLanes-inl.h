@@ -231,7 +231,10 @@ template <class Number>
 HWY_INLINE VectorOf<Number> add(const VectorOf<Number> &a, const VectorOf<Number> &b) {
     return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
 }
-HWY_INLINE Vector subtract(const Vector &a, const Vector &b) { return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)}; }
+template <class Number>
+HWY_INLINE VectorOf<Number> subtract(const VectorOf<Number> &a, const VectorOf<Number> &b) {
+    return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+}
 template <class Number>
 HWY_INLINE VectorOf<Number> scale(const VectorOf<Number> &a, Number factor) {
     return {hn::Mul(a.x, factor), hn::Mul(a.y, factor), hn::Mul(a.z, factor)};

@@ -5,6 +5,8 @@
 
 #include "dynamics/quick_step/fast/dxFastQuickStepState.h"
 #include "dynamics/quick_step/fast/dxFreeMotion.h"
+#include "dynamics/quick_step/fast/dxJointReader.h"
+#include "dynamics/quick_step/fast/dxJointSweep.h"
 #include "dynamics/step/islands/dxForBodies.h"
 
 namespace {
@@ -62,6 +64,8 @@ void dxPgsSolver::begin(const dxIslandStep &step, dxIslandBody *masses) {
     });
 }
 
+unsigned dxPgsSolver::readJoints(const dxIslandStep &step) { return dxJointReader(step, m_plan).read(m_jointLanes.data()); }
+
 void dxPgsSolver::solve(const dxIslandStep &step, const dxRowJoints &joints, dxNotificationPolicy &notifications) {
     const Call call{step, joints, notifications};
     const auto iterate = [&] {
@@ -105,6 +109,8 @@ void dxPgsSolver::makePlan(const dxIslandStep &step) {
     m_chunkEnergies = m_arena.take<double>(m_plan.chunks().size());
     m_firstEnergies = m_arena.take<double>(islands);
     m_islandEnergies = m_arena.take<double>(islands);
+    m_jointLanes = m_arena.take<dxJointLanes>(m_plan.packedRows());
+    m_jointPackEnergies = m_arena.take<dxLaneNumbers>(m_plan.jointPacks().size());
     m_results = m_plan.hasLanes() ? m_arena.take<dxSpatialMotion>(m_velocities.size()) : m_velocities;
     m_lanes = m_arena.takeFilled<const dxConstraintPlan::Manifold *>(packs * dxLanes::kCount, nullptr);
     m_plan.forLaneManifolds([this](const dxConstraintPlan::Manifold &manifold) {
@@ -127,9 +133,14 @@ void dxPgsSolver::prepare(const dxIslandStep &step, const dxRowJoints &joints) {
     if (step.islandWorkers == nullptr || !m_plan.hasContactsOnly()) dxFindFreeMotion(step, m_masses, m_velocities.data());
     if (m_plan.hasLanes()) std::copy(m_velocities.begin(), m_velocities.end(), m_results.begin());
     const dxContactReader reader(step, m_masses);
+    const dxJointReader jointReader(step, m_plan);
     m_hasFeedback.store(false, std::memory_order_relaxed);
     forChunks(step, [&](const dxConstraintPlan::Chunk &chunk, unsigned i) {
         m_chunkEnergies[i] = 0;
+        if (chunk.firstJointPack != chunk.endJointPack) {
+            jointReader.readBodies(chunk.firstJointPack, chunk.endJointPack, m_masses);
+            m_chunkEnergies[i] = dxPrepareJoints(jointPacks(), chunk.firstJointPack, chunk.endJointPack, m_velocities.data());
+        }
         if (chunk.firstPack == chunk.endPack) return;
         if (reader.read(packs(), m_lanes, chunk.firstPack, chunk.endPack)) m_hasFeedback.store(true, std::memory_order_relaxed);
         m_chunkEnergies[i] = dxPrepareContacts(packs(), chunk.firstPack, chunk.endPack, m_velocities.data());
@@ -141,15 +152,16 @@ void dxPgsSolver::prepare(const dxIslandStep &step, const dxRowJoints &joints) {
     for (const double energy : m_chunkEnergies) m_firstEnergy += energy;
     m_firstEnergies[0] = m_firstEnergy;  // if there is one island
     sumByIsland(m_firstEnergies);
-    const bool hasFriction = m_plan.hasLanes() || m_rows.hasFriction();
+    const bool hasFriction = m_plan.hasContactLanes() || m_rows.hasFriction();
     m_factor = {factor, hasFriction ? factor : std::min(factor, dReal(1))};
     m_leastEnergy = HUGE_VAL;
     m_isConverged = m_plan.phases().empty();
 }
 
-// The impulses of the last step act as if they were a sweep's.
+// The impulses of the last step act as if they were a sweep's. Joints in lanes have none.
 void dxPgsSolver::startWarm(const dxIslandStep &step) {
     if (m_isConverged) return;
+    std::fill(m_jointPackEnergies.begin(), m_jointPackEnergies.end(), dxLaneNumbers());
     const double energy = solvePhases([this](const dxConstraintPlan::Chunk &chunk) {
         double found = 0;
         if (chunk.firstPack != chunk.endPack) found += dxApplyImpulses(packs(), chunk.firstPack, chunk.endPack, m_velocities.data());
@@ -188,12 +200,14 @@ double dxPgsSolver::sweep(Stage stage, unsigned number) {
     return energy;
 }
 
-// Joints in rows have all their rows in the first part of a sweep.
+// Joints other than contacts, and contacts in rows, have all their rows in the first part of a sweep.
 double dxPgsSolver::sweepPart(dxSweepPart part, const dxOverRelaxation &factor, unsigned number) {
     return solvePhases([&](const dxConstraintPlan::Chunk &chunk) {
         double found = 0;
         if (chunk.firstPack != chunk.endPack)
             found += dxSweepContacts(packs(), chunk.firstPack, chunk.endPack, part, factor, m_velocities.data());
+        if (chunk.firstJointPack != chunk.endJointPack && dxIsFirst(part))
+            found += dxSweepJoints(jointPacks(), chunk.firstJointPack, chunk.endJointPack, factor.normal, m_velocities.data());
         if (chunk.firstRowJoint != chunk.endRowJoint && dxIsFirst(part))
             found += m_rows.sweep(chunk.firstRowJoint, chunk.endRowJoint, m_velocities.data(), number, isMeasured(number));
         return found;
@@ -204,6 +218,8 @@ void dxPgsSolver::sumImpulses() {
     if (!m_plan.hasLanes()) return;
     solvePhases([this](const dxConstraintPlan::Chunk &chunk) {
         if (chunk.firstPack != chunk.endPack) dxAddImpulses(packs(), chunk.firstPack, chunk.endPack, m_masses, m_results.data());
+        if (chunk.firstJointPack != chunk.endJointPack)
+            dxAddJointImpulses(jointPacks(), chunk.firstJointPack, chunk.endJointPack, m_masses, m_results.data());
         return chunk.firstRowJoint != chunk.endRowJoint ? m_rows.apply(chunk.firstRowJoint, chunk.endRowJoint, m_results.data()) : 0;
     });
 }
@@ -219,6 +235,7 @@ void dxPgsSolver::store(const dxIslandStep &step, const dxRowJoints &joints, dxN
     reader.list(m_plan);
     forChunks(step, [&](const dxConstraintPlan::Chunk &chunk, unsigned) { reader.keep(packs(), m_lanes, chunk.firstPack, chunk.endPack); });
     if (m_hasFeedback.load(std::memory_order_relaxed)) reader.giveFeedback(packs(), m_plan);
+    dxJointReader(step, m_plan).giveFeedback(m_jointLanes.data());
     m_rows.keep(step);
     m_rows.finish(step.stepSize);
     joints.giveFeedback();
@@ -261,6 +278,10 @@ void dxPgsSolver::sumByIsland(dxArenaArray<double> energies) const {
     m_plan.forLaneManifolds([&](const dxConstraintPlan::Manifold &manifold) {
         energies[m_plan.islandOf(manifold)] += static_cast<double>(m_packEnergies[manifold.pack].lane[manifold.lane]);
     });
+    const dxArenaArray<const dxConstraintPlan::LaneJoint> laneJoints = m_plan.laneJoints();
+    for (std::size_t i = 0; i < laneJoints.size(); ++i)
+        if (!laneJoints[i].isEmpty())
+            energies[m_plan.islandOf(laneJoints[i])] += static_cast<double>(m_jointPackEnergies[i / dxLanes::kCount].lane[i % dxLanes::kCount]);
     for (std::size_t i = 0; i < m_plan.rowJoints().size(); ++i)
         energies[m_plan.islandOf(m_plan.rowJoints()[i])] += m_rows.energies()[i];
 }

@@ -11,6 +11,7 @@
 #include "dynamics/quick_step/fast/dxConstraintPlan.h"
 #include "dynamics/quick_step/fast/dxContactReader.h"
 #include "dynamics/quick_step/fast/dxContactSweep.h"
+#include "dynamics/quick_step/fast/dxJointPack.h"
 #include "dynamics/quick_step/fast/dxRowConstraints.h"
 #include "dynamics/step/islands/dxBodyMotion.h"
 #include "dynamics/step/islands/dxIslandStep.h"
@@ -21,6 +22,9 @@ public:
     // Makes the plan and takes all memory that solve() needs, while workers find the bodies' free motion. Requires tags. Throws std::bad_alloc;
     // nothing of the bodies has changed then.
     void begin(const dxIslandStep &step, dxIslandBody *masses);
+
+    // Asks the joints in lanes for their rows. May call the user's message handlers. Returns the number of rows.
+    unsigned readJoints(const dxIslandStep &step);
 
     // Writes velocities, feedback, and the forces with which the next step begins.
     void solve(const dxIslandStep &step, const dxRowJoints &joints, dxNotificationPolicy &notifications);
@@ -74,6 +78,7 @@ private:
     dxContactPacks packs() const {
         return {m_plan.packs().data(), m_contacts.data(), m_packEnergies.data(), m_responses.data()};
     }
+    dxJointPacks jointPacks() const { return {m_plan.jointPacks().data(), m_jointLanes.data(), m_jointPackEnergies.data()}; }
 
     dxStepArena m_arena;  // of all arrays
     dxConstraintPlan m_plan;
@@ -88,6 +93,8 @@ private:
     dxArenaArray<dxLaneNumbers> m_packEnergies;                 // found last
     dxArenaArray<double> m_chunkEnergies;                       // found last
     dxArenaArray<double> m_firstEnergies, m_islandEnergies;     // by island: of the residual without impulses; found last
+    dxArenaArray<dxJointLanes> m_jointLanes;
+    dxArenaArray<dxLaneNumbers> m_jointPackEnergies;            // found last
     std::atomic<bool> m_hasFeedback{false};                     // of contacts in lanes
     dxOverRelaxation m_factor = {1, 1};
     unsigned m_iterations = 0;         // the largest number of sweeps

@@ -1,0 +1,101 @@
+#include "dynamics/quick_step/fast/dxJointReader.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include <ode/odemath.h>
+
+#include "dynamics/quick_step/dxJointRows.h"
+#include "dynamics/step/islands/dxForBodies.h"
+
+namespace {
+
+using Row = dxConstraintRow;
+
+constexpr std::size_t kPrefetchDistance = 4;  // joints
+
+void writeRow(const Row &row, dReal stepSize, bool hasSecondBody, dxJointLanes &lanes, unsigned lane) {
+    constexpr int kAngular = 3;
+    const dReal *const onA = row.jacobian + Row::kBody1 + kAngular, *const onB = row.jacobian + Row::kBody2 + kAngular;
+    dVector3 together;
+    dCopyVector3(together, onA);
+    if (hasSecondBody) dAddVectors3(together, onA, onB);
+    dxSetLane(lanes.linear, lane, row.jacobian + Row::kBody1);
+    dxSetLane(lanes.angular, lane, onA);
+    dxSetLane(lanes.together, lane, together);
+    lanes.bias.set(lane, stepSize * row.jacobian[Row::kRhs]);
+    lanes.softness.set(lane, row.jacobian[Row::kCfm]);
+    lanes.low.set(lane, stepSize * row.jacobian[Row::kLow]);
+    lanes.high.set(lane, stepSize * row.jacobian[Row::kHigh]);
+}
+
+// Adds the force of a row on body A, its torque, and that on B.
+void addForce(const dxJointLanes &row, unsigned lane, dReal perStep, dReal *force, dReal *torqueOnA, dReal *torqueOnB) {
+    const dReal size = perStep * static_cast<dReal>(row.impulse.lane[lane]);
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto onA = static_cast<dReal>(row.angular[axis].lane[lane]), both = static_cast<dReal>(row.together[axis].lane[lane]);
+        force[axis] += size * static_cast<dReal>(row.linear[axis].lane[lane]);
+        torqueOnA[axis] += size * onA;
+        torqueOnB[axis] += size * (both - onA);
+    }
+}
+
+}  // namespace
+
+unsigned dxJointReader::read(dxJointLanes *rows) const {
+    const dxArenaArray<const LaneJoint> joints = m_plan.laneJoints();
+    unsigned count = 0;
+    for (std::size_t i = 0; i < m_plan.jointPacks().size(); ++i) {
+        dxJointPack &pack = m_plan.jointPacks()[i];
+        dxJointLanes *const own = rows + pack.firstRow;
+        std::memset(own, 0, pack.rowCount * sizeof(dxJointLanes));
+        pack.rowCount = 0;
+        for (unsigned lane = 0; lane < dxLanes::kCount; ++lane) {
+            const std::size_t next = i * dxLanes::kCount + lane + kPrefetchDistance;
+            if (next < joints.size() && !joints[next].isEmpty()) dxIslandPrefetch::joint(&jointOf(joints[next]));
+            if (laneJoint(i, lane).isEmpty()) continue;
+            const unsigned found = readJoint(laneJoint(i, lane), own, lane);
+            pack.rowCount = std::max(pack.rowCount, found);
+            count += found;
+        }
+    }
+    return count;
+}
+
+unsigned dxJointReader::readJoint(const LaneJoint &own, dxJointLanes *rows, unsigned lane) const {
+    dxJoint &joint = jointOf(own);
+    dxJoint::Info1 info;
+    joint.getInfo1(&info);
+    Row read[dxJointPack::kMaxRows];
+    dxReadJointRows(m_step, joint, info.m, read);
+    for (unsigned k = 0; k < info.m; ++k) writeRow(read[k], m_step.stepSize, joint.node[1].body != nullptr, rows[k], lane);
+    return info.m;
+}
+
+void dxJointReader::readBodies(unsigned begin, unsigned end, const dxIslandBody *masses) const {
+    for (unsigned i = begin; i < end; ++i)
+        for (unsigned lane = 0; lane < dxLanes::kCount; ++lane) {
+            dxJointPack &pack = m_plan.jointPacks()[i];
+            pack.clear(lane, m_step.island.bodyCount);
+            pack.set(lane, laneJoint(i, lane).body, masses);
+        }
+}
+
+void dxJointReader::giveFeedback(const dxJointLanes *rows) const {
+    const dReal perStep = dRecip(m_step.stepSize);
+    for (std::size_t i = 0; i < m_plan.jointPacks().size(); ++i)
+        for (unsigned lane = 0; lane < dxLanes::kCount; ++lane) {
+            if (laneJoint(i, lane).isEmpty()) continue;
+            const dxJoint &joint = jointOf(laneJoint(i, lane));
+            if (joint.feedback == nullptr) continue;
+            const dxJointPack &pack = m_plan.jointPacks()[i];
+            dVector3 force = {}, torqueOnA = {}, torqueOnB = {};
+            for (unsigned k = 0; k < pack.rowCount; ++k) addForce(rows[pack.firstRow + k], lane, perStep, force, torqueOnA, torqueOnB);
+            dJointFeedback &feedback = *joint.feedback;
+            dCopyVector3(feedback.f1, force);
+            dCopyVector3(feedback.t1, torqueOnA);
+            if (joint.node[1].body == nullptr) continue;
+            dCopyNegatedVector3(feedback.f2, force);
+            dCopyVector3(feedback.t2, torqueOnB);
+        }
+}
