@@ -105,6 +105,11 @@ protected:
             }
         });
         for (const dxConstraintPlan::RowJoint &other : plan.rowJoints()) ++times.at(other.joint);
+        for (const dxConstraintPlan::LaneJoint &own : plan.laneJoints()) {
+            if (own.isEmpty()) continue;
+            ++times.at(own.joint);
+            for (int side = 0; side < 2; ++side) EXPECT_EQ(group.bodyOf(own.joint, side), own.body[side]);
+        }
         for (const Manifold &manifold : rowsOf(plan))
             for (unsigned i = 0; i < manifold.contactCount; ++i)
                 EXPECT_EQ(plan.rowJoints()[manifold.firstRowJoint() + i].joint, manifold.firstJoint + i);
@@ -124,6 +129,7 @@ protected:
     static void expectNoneShared(const dxConstraintPlan &plan, const Group &group) {
         const auto packs = packsOf(plan, group, plan.packs().size());
         std::vector<unsigned> timesOfPack(packs.size(), 0), timesOfOther(plan.rowJoints().size(), 0);
+        std::vector<unsigned> timesOfJointPack(plan.jointPacks().size(), 0);
         for (const dxConstraintPlan::Phase &phase : plan.phases()) {
             const bool isAlone = phase.endChunk - phase.firstChunk == 1;
             std::set<int> used;
@@ -138,6 +144,13 @@ protected:
                     ++timesOfPack.at(p);
                     take(movingBodiesOf(packs[p], group));
                 }
+                for (unsigned p = chunk.firstJointPack; p < chunk.endJointPack; ++p) {
+                    ++timesOfJointPack.at(p);
+                    for (unsigned lane = 0; lane < dxLanes::kCount; ++lane) {
+                        const dxConstraintPlan::LaneJoint &joint = plan.laneJoints()[p * dxLanes::kCount + lane];
+                        if (!joint.isEmpty()) take({joint.body[0], joint.body[1]});
+                    }
+                }
                 for (unsigned o = chunk.firstRowJoint; o < chunk.endRowJoint; ++o) {
                     const unsigned other = plan.rowJointsInOrder()[o];
                     ++timesOfOther.at(other);
@@ -148,6 +161,7 @@ protected:
         }
         for (const unsigned times : timesOfPack) EXPECT_EQ(times, 1u);
         for (const unsigned times : timesOfOther) EXPECT_EQ(times, 1u);
+        for (const unsigned times : timesOfJointPack) EXPECT_EQ(times, 1u);
     }
 };
 
@@ -179,6 +193,39 @@ TEST_F(ConstraintPlan, FillsPacks) {
     EXPECT_LE(plan.phases().size(), 7u);
     EXPECT_LE(plan.packs().size(), lanesOf(plan).size() / 8 + plan.phases().size());
     dWorldDestroy(world);
+}
+
+// Joints of a large grid fill packs, those with many rows beside one another; of a small one they are rows.
+TEST_F(ConstraintPlan, FillsPacksOfJoints) {
+    for (const int side : {20, 30}) {
+        const dWorldID world = dWorldCreate();
+        std::vector<dBodyID> bodies;
+        const auto connect = [&](int i, int other) {
+            const dJointID joint = i % 2 == 0 ? dJointCreateBall(world, nullptr) : dJointCreateHinge(world, nullptr);
+            dJointAttach(joint, bodies[static_cast<std::size_t>(i)], bodies[static_cast<std::size_t>(other)]);
+        };
+        for (int i = 0; i < side * side; ++i) {
+            bodies.push_back(dBodyCreate(world));
+            if (i % side != 0) connect(i, i - 1);
+            if (i >= side) connect(i, i - side);
+        }
+        dJointAttach(dJointCreateTransmission(world, nullptr), bodies[0], bodies[1]);
+        const Group group(world);
+        dxStepArena arena;
+        dxConstraintPlan plan;
+        plan.make(group.island(), arena);
+        expectNoneShared(plan, group);
+        const std::size_t joints = group.island().jointCount;
+        if (joints <= 1000) {
+            EXPECT_EQ(plan.rowJoints().size(), joints);
+            EXPECT_TRUE(plan.jointPacks().empty());
+        } else {
+            EXPECT_EQ(plan.rowJoints().size(), 1u) << "the transmission";
+            EXPECT_LE(plan.jointPacks().size(), joints / dxLanes::kCount + plan.phases().size());
+            EXPECT_LT(plan.packedRows(), 5 * plan.jointPacks().size()) << "balls and hinges are mixed";
+        }
+        dWorldDestroy(world);
+    }
 }
 
 // A smaller one that stands on the ground is solved from there up, or down to it, as drawn from where its first body is.

@@ -43,6 +43,12 @@ unsigned laneRowsOf(dxJoint &joint) {
     return info.max_m;
 }
 
+// Whether a joint has no motor, which may push the bodies at its stop while it says its rows.
+bool isPassive(const dxJoint &joint) {
+    const dJointType type = joint.type();
+    return type == dJointTypeBall || type == dJointTypeFixed || type == dJointTypeDBall || type == dJointTypeDHinge;
+}
+
 // Drawn anew in each step, as long as the body moves.
 bool goesDown(const dxBody &body) { return (dxStateNumbers::bitsOf(body.posr.pos) & 2) != 0; }
 
@@ -188,6 +194,7 @@ private:
     // Joints that are no contacts.
     struct OtherJoint {
         unsigned joint;
+        int body[2];
         std::uint8_t color, laneRows;  // laneRows: 0: in rows
     };
     dxArenaArray<OtherJoint> m_otherJoints;
@@ -219,7 +226,7 @@ void dxConstraintPlan::Maker::readJoints() {
             }
             isAfterContact = false;
             connect(body);
-            m_otherJoints.push({static_cast<unsigned>(i), EdgeColors::kOverflowColor, 0});
+            m_otherJoints.push({static_cast<unsigned>(i), {body[0], body[1]}, EdgeColors::kOverflowColor, 0});
         }
     };
     if (m_group.bodyCount < dxIslandPrefetch::kMinBodies) return read(0, m_group.jointCount);
@@ -356,15 +363,15 @@ void dxConstraintPlan::Maker::makePacks(const dxPackCount &count) {
 void dxConstraintPlan::Maker::placeJoints() {
     m_plan.m_jointPacks = {};
     m_plan.m_laneJoints = {};
+    m_plan.m_feedbackLanes = {};
     m_plan.m_packedRows = 0;
     if (m_rowContacts + m_otherJoints.size() <= kMaxSerial) return;
     std::size_t rows = 0;
     PackPlaces places;
     for (OtherJoint &other : m_otherJoints) {
-        dxJoint &joint = *m_group.joints[other.joint];
-        const unsigned laneRows = laneRowsOf(joint);
+        const unsigned laneRows = laneRowsOf(*m_group.joints[other.joint]);
         if (laneRows == 0) continue;
-        other.color = static_cast<std::uint8_t>(m_colors.take({tagOf(joint.node[0].body), tagOf(joint.node[1].body)}));
+        other.color = static_cast<std::uint8_t>(m_colors.take(other.body));
         if (other.color == EdgeColors::kOverflowColor) continue;
         other.laneRows = static_cast<std::uint8_t>(laneRows);
         rows += laneRows;
@@ -380,11 +387,16 @@ void dxConstraintPlan::Maker::makeJointPacks(std::size_t count, PackPlaces &plac
     m_plan.m_jointPacks = m_arena.take<dxJointPack>(count);
     std::memset(m_plan.m_jointPacks.data(), 0, count * sizeof(dxJointPack));
     m_plan.m_laneJoints = m_arena.takeFilled(count * dxLanes::kCount, LaneJoint{LaneJoint::kNone, {kNoBody, kNoBody}});
+    m_plan.m_feedbackLanes = m_arena.takeList<unsigned>(m_otherJoints.size());
+    m_plan.m_hasPassiveLaneJoints = true;
     for (const OtherJoint &other : m_otherJoints) {
         if (other.laneRows == 0) continue;
         const dxJoint &joint = *m_group.joints[other.joint];
         const PackPlaces::Place place = places.take(other.color, other.laneRows);
-        m_plan.m_laneJoints[place.pack * dxLanes::kCount + place.lane] = {other.joint, {tagOf(joint.node[0].body), tagOf(joint.node[1].body)}};
+        const unsigned lane = place.pack * dxLanes::kCount + place.lane;
+        m_plan.m_laneJoints[lane] = {other.joint, {other.body[0], other.body[1]}};
+        if (joint.feedback != nullptr) m_plan.m_feedbackLanes.push(lane);
+        m_plan.m_hasPassiveLaneJoints &= isPassive(joint);
         dxJointPack &pack = m_plan.m_jointPacks[place.pack];
         pack.rowCount = std::max<unsigned>(pack.rowCount, other.laneRows);
     }
@@ -400,10 +412,9 @@ void dxConstraintPlan::Maker::listRowJoints() {
     std::size_t next = 0;
     const auto listOthersBefore = [&](unsigned joint) {
         for (; next < m_otherJoints.size() && m_otherJoints[next].joint < joint; ++next) {
-            if (m_otherJoints[next].laneRows != 0) continue;
-            const dxJoint &other = *m_group.joints[m_otherJoints[next].joint];
-            const int first = tagOf(other.node[0].body);
-            m_plan.m_rowJoints.push({m_otherJoints[next].joint, first != kNoBody ? first : tagOf(other.node[1].body), m_otherJoints[next].color});
+            const OtherJoint &other = m_otherJoints[next];
+            if (other.laneRows != 0) continue;
+            m_plan.m_rowJoints.push({other.joint, other.body[0] != kNoBody ? other.body[0] : other.body[1], other.color});
         }
     };
     m_plan.forRowManifolds([&](Manifold &manifold) {
@@ -441,7 +452,8 @@ void dxConstraintPlan::Maker::cutChunks() {
     const unsigned maxPhases = 3 + colors + allPacks / kPacksPerChunk;
     m_plan.m_phases = m_arena.takeList<Phase>(maxPhases);
     const std::size_t jointPacks = m_plan.m_jointPacks.size();
-    m_plan.m_chunks = m_arena.takeList<Chunk>(3 * maxPhases + allPacks / kPacksPerChunk + jointPacks / kJointPacksPerChunk + rows / kRowJointsPerChunk);
+    const std::size_t full = allPacks / kPacksPerChunk + jointPacks / kJointPacksPerChunk + rows / kRowJointsPerChunk;
+    m_plan.m_chunks = m_arena.takeList<Chunk>(3 * maxPhases + full);
     const bool isSerial = m_plan.m_hasSerialRows;
     if (isSerial && rows != 0) addPhase([&] { m_plan.m_chunks.push({0, 0, 0, 0, 0, rows}); });
     for (unsigned color = 0; color < colors; ++color)

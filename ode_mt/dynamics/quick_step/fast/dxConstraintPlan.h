@@ -91,7 +91,7 @@ public:
     // Indices of rowJoints(), in the order in which they are solved first: that of the group, or, if several threads solve them, by colour.
     dxArenaArray<const unsigned> rowJointsInOrder() const { return m_rowJointsInOrder; }
     bool hasContactsOnly() const { return m_hasContactsOnly; }  // no other joints
-    bool hasSerialRows() const { return m_hasSerialRows; }      // all in one chunk
+    bool hasSerialRows() const { return m_hasSerialRows; }  // all in one chunk
 
     dxArenaArray<const Chunk> chunks() const { return m_chunks; }
     dxArenaArray<const Phase> phases() const { return m_phases; }
@@ -103,6 +103,8 @@ public:
     dxArenaArray<dxJointPack> jointPacks() const { return m_jointPacks; }
     unsigned packedRows() const { return m_packedRows; }  // elements of the array of dxJointLanes
     dxArenaArray<const LaneJoint> laneJoints() const { return m_laneJoints; }  // by pack and lane
+    dxArenaArray<const unsigned> feedbackLanes() const { return m_feedbackLanes; }  // of laneJoints(), those with feedback, in the order of the group
+    bool hasPassiveLaneJoints() const { return m_hasPassiveLaneJoints; }       // none of them pushes its bodies when it is asked for its rows
 
 private:
     class Maker;
@@ -116,9 +118,10 @@ private:
     dxArenaArray<dxContactPack> m_packs;
     dxArenaArray<dxJointPack> m_jointPacks;
     dxArenaArray<LaneJoint> m_laneJoints;
+    dxArenaArray<unsigned> m_feedbackLanes;
     dxArenaArray<Chunk> m_chunks;
     dxArenaArray<Phase> m_phases;
     std::size_t m_rowManifolds = 0;
     unsigned m_laneContacts = 0, m_packedContacts = 0, m_packedRows = 0;
-    bool m_hasSerialRows = false, m_hasContactsOnly = true;
+    bool m_hasSerialRows = false, m_hasContactsOnly = true, m_hasPassiveLaneJoints = true;
 };

@@ -6,6 +6,7 @@
 // Highway's order of headers: after foreach_target.h
 #include <hwy/highway.h>
 
+#include "core/dxFlushSubnormals.h"
 #include "dynamics/quick_step/fast/dxContactLanes-inl.h"
 #include "dynamics/quick_step/fast/dxContactSweep.h"
 
@@ -132,6 +133,7 @@ HWY_EXPORT(prepare);
 
 double dxPrepareContacts(const dxContactPacks &contacts, unsigned begin, unsigned end, const dxSpatialMotion *velocities) {
     using namespace dxContactKernels;
+    const dxFlushSubnormals flush;
     return HWY_DYNAMIC_DISPATCH(prepare)(contacts, begin, end, velocities);
 }
 #endif

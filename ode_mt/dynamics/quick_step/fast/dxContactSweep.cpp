@@ -6,6 +6,7 @@
 // Highway's order of headers: after foreach_target.h
 #include <hwy/highway.h>
 
+#include "core/dxFlushSubnormals.h"
 #include "dynamics/quick_step/fast/dxContactLanes-inl.h"
 #include "dynamics/quick_step/fast/dxContactSweep.h"
 
@@ -345,6 +346,7 @@ HWY_EXPORT(sweep);
 
 double dxApplyImpulses(const dxContactPacks &contacts, unsigned begin, unsigned end, dxSpatialMotion *velocities) {
     using namespace dxContactKernels;
+    const dxFlushSubnormals flush;
     return HWY_DYNAMIC_DISPATCH(apply)(contacts, begin, end, velocities);
 }
 
@@ -356,6 +358,7 @@ void dxAddImpulses(const dxContactPacks &contacts, unsigned begin, unsigned end,
 double dxSweepContacts(const dxContactPacks &contacts, unsigned begin, unsigned end, dxSweepPart part, const dxOverRelaxation &factor,
                        dxSpatialMotion *velocities) {
     using namespace dxContactKernels;
+    const dxFlushSubnormals flush;
     return HWY_DYNAMIC_DISPATCH(sweep)(contacts, begin, end, part, factor, velocities);
 }
 #endif

@@ -7,13 +7,13 @@
 
 // One row of each joint.
 struct dxJointLanes {
-    dxLaneNumbers linear[3];    // of the force on body A
-    dxLaneNumbers angular[3];   // of the torque on body A
-    dxLaneNumbers together[3];  // of the torques on A and B: what the row says of bodies that turn together
-    dxLaneNumbers bias;         // m/s, or 1/s
-    dxLaneNumbers softness;     // cfm / step size
-    dxLaneNumbers low, high;    // of the impulse
-    dxLaneNumbers impulse;      // the answer
+    dxLaneNumbers linear[3];      // of the force on body A
+    dxLaneNumbers angular[3];     // of the torque on body A
+    dxLaneNumbers together[3];    // of the torques on A and B: what the row says of bodies that turn together
+    dxLaneNumbers bias;           // m/s, or 1/s
+    dxLaneNumbers softness;       // cfm / step size
+    dxLaneNumbers low, high;      // of the impulse
+    dxLaneNumbers impulse;        // the answer
     dxLaneNumbers effectiveMass;  // 1 / (J inv(M) J' + softness)
 };
 

@@ -1,6 +1,7 @@
 #include "dynamics/quick_step/fast/dxJointReader.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstring>
 
 #include <ode/odemath.h>
@@ -13,6 +14,7 @@ namespace {
 using Row = dxConstraintRow;
 
 constexpr std::size_t kPrefetchDistance = 4;  // joints
+constexpr std::size_t kPacksPerJob = 4;       // some ten microseconds
 
 void writeRow(const Row &row, dReal stepSize, bool hasSecondBody, dxJointLanes &lanes, unsigned lane) {
     constexpr int kAngular = 3;
@@ -43,21 +45,30 @@ void addForce(const dxJointLanes &row, unsigned lane, dReal perStep, dReal *forc
 }  // namespace
 
 unsigned dxJointReader::read(dxJointLanes *rows) const {
+    std::atomic<unsigned> count{0};
+    dxTaskRunner &runner = m_plan.hasPassiveLaneJoints() ? m_step.runner() : dxTaskRunner::alone();
+    runner.forChunks(dxParallelStage::Joints, m_plan.jointPacks().size(), kPacksPerJob, [&](std::size_t begin, std::size_t end, unsigned) {
+        unsigned found = 0;
+        for (std::size_t i = begin; i < end; ++i) found += readPack(i, rows + m_plan.jointPacks()[i].firstRow);
+        count.fetch_add(found, std::memory_order_relaxed);
+    });
+    return count.load(std::memory_order_relaxed);
+}
+
+// Returns the number of rows of all its joints.
+unsigned dxJointReader::readPack(std::size_t number, dxJointLanes *rows) const {
     const dxArenaArray<const LaneJoint> joints = m_plan.laneJoints();
+    dxJointPack &pack = m_plan.jointPacks()[number];
+    std::memset(rows, 0, pack.rowCount * sizeof(dxJointLanes));
+    pack.rowCount = 0;
     unsigned count = 0;
-    for (std::size_t i = 0; i < m_plan.jointPacks().size(); ++i) {
-        dxJointPack &pack = m_plan.jointPacks()[i];
-        dxJointLanes *const own = rows + pack.firstRow;
-        std::memset(own, 0, pack.rowCount * sizeof(dxJointLanes));
-        pack.rowCount = 0;
-        for (unsigned lane = 0; lane < dxLanes::kCount; ++lane) {
-            const std::size_t next = i * dxLanes::kCount + lane + kPrefetchDistance;
-            if (next < joints.size() && !joints[next].isEmpty()) dxIslandPrefetch::joint(&jointOf(joints[next]));
-            if (laneJoint(i, lane).isEmpty()) continue;
-            const unsigned found = readJoint(laneJoint(i, lane), own, lane);
-            pack.rowCount = std::max(pack.rowCount, found);
-            count += found;
-        }
+    for (unsigned lane = 0; lane < dxLanes::kCount; ++lane) {
+        const std::size_t next = number * dxLanes::kCount + lane + kPrefetchDistance;
+        if (next < joints.size() && !joints[next].isEmpty()) dxIslandPrefetch::joint(&jointOf(joints[next]));
+        if (laneJoint(number, lane).isEmpty()) continue;
+        const unsigned found = readJoint(laneJoint(number, lane), rows, lane);
+        pack.rowCount = std::max(pack.rowCount, found);
+        count += found;
     }
     return count;
 }
@@ -83,19 +94,17 @@ void dxJointReader::readBodies(unsigned begin, unsigned end, const dxIslandBody 
 
 void dxJointReader::giveFeedback(const dxJointLanes *rows) const {
     const dReal perStep = dRecip(m_step.stepSize);
-    for (std::size_t i = 0; i < m_plan.jointPacks().size(); ++i)
-        for (unsigned lane = 0; lane < dxLanes::kCount; ++lane) {
-            if (laneJoint(i, lane).isEmpty()) continue;
-            const dxJoint &joint = jointOf(laneJoint(i, lane));
-            if (joint.feedback == nullptr) continue;
-            const dxJointPack &pack = m_plan.jointPacks()[i];
-            dVector3 force = {}, torqueOnA = {}, torqueOnB = {};
-            for (unsigned k = 0; k < pack.rowCount; ++k) addForce(rows[pack.firstRow + k], lane, perStep, force, torqueOnA, torqueOnB);
-            dJointFeedback &feedback = *joint.feedback;
-            dCopyVector3(feedback.f1, force);
-            dCopyVector3(feedback.t1, torqueOnA);
-            if (joint.node[1].body == nullptr) continue;
-            dCopyNegatedVector3(feedback.f2, force);
-            dCopyVector3(feedback.t2, torqueOnB);
-        }
+    for (const unsigned place : m_plan.feedbackLanes()) {
+        const dxJointPack &pack = m_plan.jointPacks()[place / dxLanes::kCount];
+        const dxJoint &joint = jointOf(m_plan.laneJoints()[place]);
+        dVector3 force = {}, torqueOnA = {}, torqueOnB = {};
+        for (unsigned k = 0; k < pack.rowCount; ++k)
+            addForce(rows[pack.firstRow + k], place % dxLanes::kCount, perStep, force, torqueOnA, torqueOnB);
+        dJointFeedback &feedback = *joint.feedback;
+        dCopyVector3(feedback.f1, force);
+        dCopyVector3(feedback.t1, torqueOnA);
+        if (joint.node[1].body == nullptr) continue;
+        dCopyNegatedVector3(feedback.f2, force);
+        dCopyVector3(feedback.t2, torqueOnB);
+    }
 }

@@ -1,6 +1,8 @@
-// Joints other than contacts to lanes (dxJointPack.h), and forces back: asks the joints for their rows, as dxJointRows does, and writes these into packs.
+// Joints other than contacts to lanes (dxJointPack.h), and forces back: asks the joints for their rows, as dxJointRows does, and writes these into
+// packs.
 //
-// Threading: several threads may read the bodies of different packs at the same time; all else is serial.
+// Threading: several threads may read the bodies of different packs at the same time; read() shares joints out among the island's workers where none
+// of them pushes its bodies; all else is serial.
 #pragma once
 
 #include "dynamics/quick_step/fast/dxConstraintPlan.h"
@@ -11,14 +13,14 @@ class dxJointReader {
 public:
     dxJointReader(const dxIslandStep &step, const dxConstraintPlan &plan) : m_step(step), m_plan(plan) {}
 
-    // Writes the rows of all joints in lanes, with impulses of zero, and the number of rows of each pack. Joints may add to the bodies' accumulators, and
-    // call the user's message handlers. Returns the number of rows of all joints.
+    // Writes the rows of all joints in lanes, with impulses of zero, and the number of rows of each pack. Joints may add to the bodies' accumulators,
+    // and call the user's message handlers. Returns the number of rows of all joints.
     unsigned read(dxJointLanes *rows) const;
 
     // Writes the bodies of packs [begin, end). `masses`: by tag.
     void readBodies(unsigned begin, unsigned end, const dxIslandBody *masses) const;
 
-    // Writes the forces of the impulses to the joints' feedback.
+    // Writes the forces of the impulses to the joints' feedback, in the order of joints.
     void giveFeedback(const dxJointLanes *rows) const;
 
 private:
@@ -26,6 +28,7 @@ private:
 
     const LaneJoint &laneJoint(std::size_t pack, unsigned lane) const { return m_plan.laneJoints()[pack * dxLanes::kCount + lane]; }
     dxJoint &jointOf(const LaneJoint &own) const { return *m_step.island.joints[own.joint]; }
+    unsigned readPack(std::size_t number, dxJointLanes *rows) const;
     unsigned readJoint(const LaneJoint &own, dxJointLanes *rows, unsigned lane) const;
 
     const dxIslandStep &m_step;

@@ -6,6 +6,7 @@
 // Highway's order of headers: after foreach_target.h
 #include <hwy/highway.h>
 
+#include "core/dxFlushSubnormals.h"
 #include "dynamics/quick_step/fast/dxJointSweep.h"
 #include "dynamics/quick_step/fast/dxLanes-inl.h"
 
@@ -139,7 +140,10 @@ HWY_INLINE RealWrenches realWrenchesOf(const dxJointPack &pack, const dxJointLan
 }
 
 void addImpulses(const dxJointPacks &joints, unsigned begin, unsigned end, const dxIslandBody *masses, dxSpatialMotion *velocities) {
-    for (unsigned i = begin; i < end; ++i) realWrenchesOf(joints.packs[i], joints.rows + joints.packs[i].firstRow).actOn(joints.packs[i], masses, velocities);
+    for (unsigned i = begin; i < end; ++i) {
+        const dxJointPack &pack = joints.packs[i];
+        realWrenchesOf(pack, joints.rows + pack.firstRow).actOn(pack, masses, velocities);
+    }
 }
 
 }  // namespace HWY_NAMESPACE
@@ -155,11 +159,13 @@ HWY_EXPORT(sweep);
 
 double dxPrepareJoints(const dxJointPacks &joints, unsigned begin, unsigned end, const dxSpatialMotion *velocities) {
     using namespace dxJointKernels;
+    const dxFlushSubnormals flush;
     return HWY_DYNAMIC_DISPATCH(prepare)(joints, begin, end, velocities);
 }
 
 double dxSweepJoints(const dxJointPacks &joints, unsigned begin, unsigned end, dReal factor, dxSpatialMotion *velocities) {
     using namespace dxJointKernels;
+    const dxFlushSubnormals flush;
     return HWY_DYNAMIC_DISPATCH(sweep)(joints, begin, end, factor, velocities);
 }
 
