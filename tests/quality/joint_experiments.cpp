@@ -112,6 +112,8 @@ std::vector<Quantity> gaps(const Stepping &stepping, const std::string &name, in
 
 std::vector<Quantity> ragdolls(const Stepping &stepping) { return gaps(stepping, "ragdolls:4", 300); }
 std::vector<Quantity> bridge(const Stepping &stepping) { return gaps(stepping, "bridge", 400); }
+std::vector<Quantity> grid(const Stepping &stepping) { return gaps(stepping, "joint_grid:40", 100); }
+std::vector<Quantity> net(const Stepping &stepping) { return gaps(stepping, "net", 200); }
 std::vector<Quantity> swingingChain(const Stepping &stepping) { return gaps(stepping, "chain:20", 300); }
 
 }  // namespace
@@ -124,6 +126,8 @@ std::vector<Experiment> jointExperiments() {
             {"motors", "five arms in a row, each held by a motor", motors},
             {"ragdolls", "four ragdolls that fall", ragdolls},
             {"bridge", "planks on hinges with boxes on them", bridge},
+            {"joint_grid", "40 by 40 balls on ball joints, hanging by the top row", grid},
+            {"net", "900 plates on balls and hinges, falling to the ground", net},
             {"swinging_chain", "20 capsules on ball joints, falling from level", swingingChain}};
 }
 

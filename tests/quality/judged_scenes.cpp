@@ -172,6 +172,31 @@ void furnishFixedPairs(Lab &lab) {
         }
 }
 
+// A net of plates that falls to the ground; so many joints that fast QuickStep solves them in lanes. Half of them are hinges, with motors or stops.
+void furnishNet(Lab &lab) {
+    constexpr int kSide = 30;
+    constexpr dReal kPitch = REAL(0.3), kPlate = REAL(0.24);  // m
+    lab.addGround();
+    std::vector<dBodyID> plates;
+    const auto connect = [&](int i, int other, const Vector3 &anchor, const Vector3 &axis) {
+        if (i % 2 == 0) {
+            lab.addBall(plates[i], plates[other], anchor);
+            return;
+        }
+        const dJointID hinge = lab.addHinge(plates[i], plates[other], anchor, axis);
+        if (i % 3 == 0) dJointSetHingeParam(hinge, dParamFMax, 5);
+        if (i % 3 != 1) return;
+        dJointSetHingeParam(hinge, dParamLoStop, REAL(-0.2));
+        dJointSetHingeParam(hinge, dParamHiStop, REAL(0.2));
+    };
+    for (int i = 0; i < kSide * kSide; ++i) {
+        const Vector3 at{kPitch * static_cast<dReal>(i % kSide), kPitch * static_cast<dReal>(i / kSide), REAL(0.2) + REAL(0.0005) * static_cast<dReal>(i)};
+        plates.push_back(lab.addBox(at, {kPlate, kPlate, REAL(0.05)}, 1));
+        if (i % kSide != 0) connect(i, i - 1, at - Vector3{kPitch / 2, 0, 0}, scenes::kAxisY);
+        if (i >= kSide) connect(i, i - kSide, at - Vector3{0, kPitch / 2, 0}, {1, 0, 0});
+    }
+}
+
 struct OwnScene {
     const char *name, *meaning;
     dReal stepSize;  // s
@@ -192,6 +217,7 @@ constexpr OwnScene kOwnScenes[] = {
     {"deck", "100 boxes of 1 kg on a deck of 10 kg that four ball joints hold", REAL(0.01), furnishDeck},
     {"heavy_deck", "36 boxes of 1 kg on a deck of 100 kg that four ball joints hold", REAL(0.01), furnishHeavyDeck},
     {"fixed_pairs", "eight columns of six pairs of boxes on fixed joints", REAL(0.01), furnishFixedPairs},
+    {"net", "900 plates on balls and hinges with motors and stops, falling to the ground", REAL(0.005), furnishNet},
     {"bridge", "planks on hinges with boxes on them", REAL(0.005), furnishBridge},
 };
 

@@ -43,7 +43,7 @@ constexpr Exception kExceptions[] = {
     {"heavy_deck", false, 10, {1.25, 1.5}}, {"pile:200", true, 50, {1.35, 1.65}},       {"stacks:4", true, 150, {1.4, 1.5}},
     {"wall:6", true, 50, {1.5, 1.6}},       {"rover:4", true, 50, {1.1, 1.7}},          {"conveyor", true, 10, {1.45, 1.5}},
     {"conveyor", true, 20, {1.55, 1.6}},    {"fixed_friction", true, 50, {1.55, 1.6}}, {"infinite_friction", true, 50, {1.2, 1.1}},
-    {"bouncing", true, 150, {1.25, 1.3}}};
+    {"bouncing", true, 150, {1.25, 1.3}},   {"net", true, 150, {1.05, 1.9}}};
 
 Limits limitsOf(const std::string &scene, bool isCold, int iterations) {
     for (const Exception &exception : kExceptions)
@@ -135,7 +135,9 @@ constexpr Scene kScenes[] = {{"pile:200", 60},
                              {"heavy_deck", 20},
                              {"mass_ratio", 40, 400},
                              {"bouncing", 60, 20, 100},
-                             {"bridge", 60, 400}};
+                             {"bridge", 60, 400},
+                             {"joint_grid:40", 40, 400},
+                             {"net", 100}};
 
 class OpenLoop : public testing::TestWithParam<Scene> {
 protected:
