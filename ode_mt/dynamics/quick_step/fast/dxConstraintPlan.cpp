@@ -26,6 +26,10 @@ constexpr std::size_t kMaxSequence = 1024;
 // vectors of 256 bits of five.
 constexpr unsigned kMinLanes = 4;
 
+// Time of a sweep over a pack of joints, for each pack and for each of its rows, in units of the time that a row takes by itself: 8 and 6 with
+// vectors of 512 bits, more with shorter ones.
+constexpr std::size_t kPackTime = 10, kPackRowTime = 8;
+
 constexpr unsigned kMaxContacts = dxContactPack::kMaxContacts;
 
 bool isContact(const dxJoint &joint) { return joint.type() == dJointTypeContact; }
@@ -359,13 +363,14 @@ void dxConstraintPlan::Maker::makePacks(const dxPackCount &count) {
     }
 }
 
-// Joints of large groups are coloured after the contacts.
+// Joints of large groups are coloured after the contacts. In small groups with contacts all constraints are rows (placeContacts).
 void dxConstraintPlan::Maker::placeJoints() {
     m_plan.m_jointPacks = {};
     m_plan.m_laneJoints = {};
     m_plan.m_feedbackLanes = {};
     m_plan.m_packedRows = 0;
-    if (m_rowContacts + m_otherJoints.size() <= kMaxSerial) return;
+    const bool hasContacts = m_laneContacts + m_rowContacts != 0;
+    if (m_otherJoints.empty() || (hasContacts && m_rowContacts + m_otherJoints.size() <= kMaxSerial)) return;
     std::size_t rows = 0;
     PackPlaces places;
     for (OtherJoint &other : m_otherJoints) {
@@ -378,7 +383,7 @@ void dxConstraintPlan::Maker::placeJoints() {
         places.count(other.color, laneRows);
     }
     const dxPackCount packs = places.makePacks(m_colors.count(), m_firstJointPack);
-    if (rows != 0 && fillsLanes(rows, packs.contacts)) return makeJointPacks(packs.packs, places);
+    if (rows > kPackTime * packs.packs + kPackRowTime * packs.contacts) return makeJointPacks(packs.packs, places);
     for (OtherJoint &other : m_otherJoints) other.laneRows = 0;
 }
 
