@@ -754,6 +754,10 @@ typedef struct dODE_MT_WorldStatistics {
     unsigned returnedIslands;    /**< of the islands: sent to such workers, and solved at home after all */
     unsigned long long allRemoteIslands;    /**< sum of remoteIslands */
     unsigned long long allReturnedIslands;  /**< sum of returnedIslands */
+    double sharedTime;   /**< of collisions and step: the calling thread is in stages that several threads may share */
+    double workTime;     /**< what all threads do in these stages, added up; waits between the phases of a sweep are in it */
+    double serialShare;  /**< part of the work of collisions and step that the calling thread does outside of these, from 0 to 1: with N threads they
+                              take at least serialShare + (1 - serialShare) / N of the time (Amdahl's law). 1 if nothing was shared */
 } dODE_MT_WorldStatistics;
 
 /**

@@ -82,6 +82,7 @@ public:
 
 private:
     void end();
+    void count(std::uint64_t now);
 
     const dxWorkersRunner &m_runner;
     const dxParallelStage m_stage;
@@ -90,6 +91,8 @@ private:
     dxTimelineRing::Caller m_caller{};
     std::uint64_t m_run = 0, m_begin = 0;
     std::uint64_t m_callerEnds = 0;  // end of its last block so far; written by the caller alone
+    std::uint64_t m_sharedBefore = 0, m_workBefore = 0;  // of the frame
+    std::atomic<std::uint64_t> m_workOfOthers{0};        // ticks
 };
 
 StageTimeline::StageTimeline(const dxWorkersRunner &runner, dxParallelStage stage, unsigned blocks)
@@ -97,6 +100,8 @@ StageTimeline::StageTimeline(const dxWorkersRunner &runner, dxParallelStage stag
     if (m_ring == nullptr) return;
     m_caller = m_ring->caller();
     m_run = runs.fetch_add(1, std::memory_order_relaxed) + 1;
+    m_sharedBefore = m_ring->times()[dxFrameStage::Shared];
+    m_workBefore = m_ring->times()[dxFrameStage::Work];
     m_begin = m_callerEnds = dxTimelineClock::ticks();
 }
 
@@ -106,6 +111,13 @@ void StageTimeline::end() {
     m_ring->noteThreads(workers);
     if (now - m_callerEnds >= kMinWait) m_ring->add(kWait, m_callerEnds, now, {m_run});
     m_ring->add(eventsOf(m_stage).run, m_begin, now, {m_blocks, m_run, workers});
+    if (m_runner.workers() > 1 && m_blocks > 1) count(now);
+}
+
+// Runs within this one, which its blocks have made, are a part of it.
+void StageTimeline::count(std::uint64_t now) {
+    m_ring->setTime(dxFrameStage::Shared, m_sharedBefore + (now - m_begin));
+    m_ring->setTime(dxFrameStage::Work, m_workBefore + (m_callerEnds - m_begin) + m_workOfOthers.load(std::memory_order_relaxed));
 }
 
 void StageTimeline::Block::begin() {
@@ -121,7 +133,8 @@ void StageTimeline::Block::end() {
         m_timeline.m_callerEnds = dxTimelineClock::ticks();
         return;
     }
-    m_ring->endBlock(eventsOf(m_timeline.m_stage).blocks, m_timeline.m_run, m_begin);
+    const std::uint64_t end = m_ring->endBlock(eventsOf(m_timeline.m_stage).blocks, m_timeline.m_run, m_begin);
+    m_timeline.m_workOfOthers.fetch_add(end - m_begin, std::memory_order_relaxed);
     m_ring->setCaller(m_before);
 }
 

@@ -106,6 +106,10 @@ void setTimes(dODE_MT_WorldStatistics &frame, const Entry &entry, const dxStepRe
     frame.islandsTime = seconds(step.times[dxFrameStage::Islands]);
     frame.commitTime = seconds(step.times[dxFrameStage::Commit]);
     frame.waitTime = seconds(ofCollisions[dxFrameStage::Wait] + step.times[dxFrameStage::Wait]);
+    frame.sharedTime = seconds(ofCollisions[dxFrameStage::Shared] + step.times[dxFrameStage::Shared]);
+    frame.workTime = seconds(ofCollisions[dxFrameStage::Work] + step.times[dxFrameStage::Work]);
+    const double alone = std::max(frame.collisionTime + frame.stepTime - frame.sharedTime, 0.0);
+    frame.serialShare = frame.workTime > 0 ? alone / (alone + frame.workTime) : 1;
 }
 
 void setCounts(dODE_MT_WorldStatistics &frame, const Entry &entry, const dxStepRecord &step) {

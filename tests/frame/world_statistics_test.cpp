@@ -98,6 +98,28 @@ TEST_F(WorldStatistics, CountsAndTimesOfAFrameAgree) {
     EXPECT_LE(last.collisionTime + last.stepTime, 1.001 * last.frameTime);
     EXPECT_GT(last.allStepTime, last.stepTime);
     EXPECT_LT(last.frameTime, 60) << "seconds";
+    EXPECT_EQ(last.sharedTime, 0);
+    EXPECT_EQ(last.workTime, 0);
+    EXPECT_EQ(last.serialShare, 1);
+}
+
+// The calling thread's time outside of shared stages, and the work of two threads in them.
+TEST_F(WorldStatistics, TheSerialShareBoundsTheGain) {
+    OdeSession::use(2, "lcp");
+    HeapWorld heap(dHashSpaceCreate(nullptr));
+    dODE_MT_WorldStatistics frame{};
+    for (int i = 0; i < 200 && (frame.stepThreads < 2 || frame.collisionThreads < 2); ++i) {
+        play(heap, 1);
+        frame = statisticsOf(heap.world());
+    }
+    ASSERT_EQ(frame.stepThreads, 2u);
+    ASSERT_EQ(frame.collisionThreads, 2u);
+    EXPECT_GT(frame.sharedTime, 0);
+    EXPECT_LT(frame.sharedTime, frame.collisionTime + frame.stepTime);
+    EXPECT_GT(frame.workTime, 0);
+    EXPECT_LE(frame.workTime, 2.001 * frame.sharedTime);
+    const double alone = frame.collisionTime + frame.stepTime - frame.sharedTime;
+    EXPECT_DOUBLE_EQ(frame.serialShare, alone / (alone + frame.workTime));
 }
 
 // One more than the library knows, as from a later header, and one of the first version's beginning.

@@ -15,6 +15,8 @@ enum class dxFrameStage : unsigned char {
     Islands,
     Commit,
     Wait,
+    Shared,  // the calling thread is in stages that several threads may share: dxWorkersRunner
+    Work,    // what all threads do in these, added up
     None,  // events of no stage, or within one
 };
 

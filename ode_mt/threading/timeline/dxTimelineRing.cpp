@@ -38,11 +38,16 @@ std::uint64_t dxTimelineRing::beginBlock(const dxTimelineEvent &event, std::uint
     return isLast(event, run) ? last().words[kEnd].load(std::memory_order_relaxed) : dxTimelineClock::ticks();
 }
 
-void dxTimelineRing::endBlock(const dxTimelineEvent &event, std::uint64_t run, std::uint64_t begin) {
-    if (!isLast(event, run)) return add(event, begin, dxTimelineClock::ticks(), {1, run});
+std::uint64_t dxTimelineRing::endBlock(const dxTimelineEvent &event, std::uint64_t run, std::uint64_t begin) {
+    const std::uint64_t end = dxTimelineClock::ticks();
+    if (!isLast(event, run)) {
+        add(event, begin, end, {1, run});
+        return end;
+    }
     std::atomic<std::uint64_t> *const words = const_cast<Record &>(last()).words;
     set(words[kArguments], words[kArguments].load(std::memory_order_relaxed) + 1);
-    set(words[kEnd], dxTimelineClock::ticks());
+    set(words[kEnd], end);
+    return end;
 }
 
 unsigned dxTimelineRing::takeThreads() {

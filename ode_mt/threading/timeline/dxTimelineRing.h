@@ -49,7 +49,8 @@ public:
 
     // The blocks of one run that this thread takes one after the other are one event, with the number of blocks and of the run as arguments.
     std::uint64_t beginBlock(const dxTimelineEvent &event, std::uint64_t run) const;
-    void endBlock(const dxTimelineEvent &event, std::uint64_t run, std::uint64_t begin);
+    // Returns when the block ended.
+    std::uint64_t endBlock(const dxTimelineEvent &event, std::uint64_t run, std::uint64_t begin);
 
     Caller caller() const { return m_caller; }
     void setCaller(const Caller &caller) { m_caller = caller; }
@@ -81,6 +82,7 @@ public:
     // Sums of the events since they were set.
     const dxFrameTimes &times() const { return m_times; }
     void setTimes(const dxFrameTimes &times) { m_times = times; }
+    void setTime(dxFrameStage stage, std::uint64_t ticks) { m_times[stage] = ticks; }
 
     // Collisions of the owner in progress, one within a near-callback of the other.
     unsigned collisionDepth = 0;
