@@ -6,6 +6,8 @@
 // a body of another island for one of their own that has the same number. So upstream's steppers step such islands, which a step finds
 // by the marks.
 //
+// What a joint keeps of its last step is of its last bodies, and is dropped (dxKeptJointForces).
+//
 // Most steps have none. So that these need not test all their joints, the world is marked as well: in the fourth number of
 // its gravity, which upstream sets to zero and never reads.
 //
@@ -17,6 +19,7 @@
 #include "joints/joint.h"
 
 #include "seams/upstream.h"
+#include "settings/dxKeptJointForces.h"
 
 namespace dxJointAttachment {
 
@@ -27,6 +30,7 @@ inline void attach(dxJoint *joint, dxBody *body1, dxBody *body2) {
     dxUpstreamJointAttach(joint, body1, body2);
     if (joint == nullptr) return;
     joint->flags |= kMark;
+    dxKeptJointForces::drop(*joint);
     if (joint->world != nullptr && joint->world->gravity[3] == 0) joint->world->gravity[3] = 1;
 }
 

@@ -32,6 +32,7 @@ public:
     }
 
     double prepare() { return dxPrepareJoints(packs(), 0, kPacks, m_velocities.data()); }
+    double apply() { return dxApplyJointImpulses(packs(), 0, kPacks, m_velocities.data()); }
     double sweep(dReal factor = 1) { return dxSweepJoints(packs(), 0, kPacks, factor, m_velocities.data()); }
 
     // The free velocities and what the impulses add.
@@ -164,6 +165,43 @@ TEST(JointSweep, LeavesTheVelocitiesThatTheImpulsesGive) {
                     EXPECT_NEAR(packs.velocities()[body].columns[k], expected[body].columns[k], kRounding);
                     EXPECT_NEAR(sum[body].columns[k], expected[body].columns[k], 1e-12);
                 }
+        }
+    });
+}
+
+// Impulses of the last step become those within the limits. What they add to 1/2 u' M u + 1/2 p' softness p - bias' p is their work on the mean of the
+// velocities before and after them, less what is wanted.
+TEST(JointSweep, AppliesImpulsesWithinTheLimits) {
+    onAllInstructionSets([] {
+        for (unsigned seed = 0; seed < 20; ++seed) {
+            Packs packs(seed);
+            for (unsigned pack = 0; pack < Packs::kPacks; ++pack)
+                for (unsigned lane = 0; lane < dxLanes::kCount; ++lane)
+                    for (unsigned k = 0; k < Packs::kRows; ++k)
+                        if (packs.has(pack, lane, k)) packs.row(pack, k).impulse.lane[lane] = 0.4f - 0.05f * static_cast<float>(lane);
+            packs.prepare();
+            std::vector<double> before;
+            const auto forRows = [&](const auto &visit) {
+                for (unsigned pack = 0; pack < Packs::kPacks; ++pack)
+                    for (unsigned lane = 0; lane < dxLanes::kCount; ++lane)
+                        for (unsigned k = 0; k < Packs::kRows; ++k) visit(pack, lane, k, packs.row(pack, k));
+            };
+            forRows([&](unsigned pack, unsigned lane, unsigned k, const dxJointLanes &row) {
+                EXPECT_GE(row.impulse.lane[lane], row.low.lane[lane]);
+                EXPECT_LE(row.impulse.lane[lane], row.high.lane[lane]);
+                before.push_back(packs.velocityAlong(pack, lane, k));
+            });
+            const double found = packs.apply();
+            const std::vector<dxSpatialMotion> expected = packs.expectedVelocities();
+            for (unsigned body = 0; body < Packs::kBodies; ++body)
+                for (int k = 0; k < 6; ++k) EXPECT_NEAR(packs.velocities()[body].columns[k], expected[body].columns[k], kRounding);
+            double sum = 0;
+            std::size_t i = 0;
+            forRows([&](unsigned pack, unsigned lane, unsigned k, const dxJointLanes &row) {
+                const double impulse = row.impulse.lane[lane], mean = (before[i++] + packs.velocityAlong(pack, lane, k)) / 2;
+                sum += impulse * (mean - row.bias.lane[lane] + row.softness.lane[lane] * impulse / 2);
+            });
+            EXPECT_NEAR(found, sum, Packs::kPacks * dxLanes::kCount * kRounding);
         }
     });
 }

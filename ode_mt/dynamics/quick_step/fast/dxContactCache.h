@@ -126,7 +126,7 @@ inline dReal dxContactErp(const dxWorld &world, const dSurfaceParameters &surfac
     return (surface.mode & dContactSoftERP) != 0 ? surface.soft_erp : world.global_erp;
 }
 
-// Returns with how much of a contact's last force a step begins. Three quarters: full warm starting lowers the residual but keeps stacks
+// Returns with how much of a contact's or joint's last force a step begins. Three quarters: full warm starting lowers the residual but keeps stacks
 // moving, and 0.75 damps them (docs/fast.md, "Warm start"). Less above an erp of 0.2, the default: a force that has corrected much
 // of a contact's depth should not act again. With three quarters of all forces columns of six boxes move more from erp 0.25 on, and fall with 0.8.
 dReal dxWarmStartFactor(dReal erp);

@@ -11,6 +11,7 @@ dxFastQuickStepState &dxFastQuickStepState::of(dxWorldState &state) {
 void dxFastQuickStepState::begin(const dxWorldProcessIslandsInfo &info, const dxSolverChoice &choice, dReal stepSize) {
     m_choice = choice;
     m_choice.isWarm &= dxContactCache::isSimilar(stepSize, std::exchange(m_stepSize, stepSize));
+    m_step = m_step < dxKeptJointForces::kLastStep ? m_step + 1 : 1;
     m_idle.clear();
     for (const std::unique_ptr<dxPgsSolver> &solver : m_solvers) m_idle.push_back(solver.get());
     m_cache.begin(info, m_choice.isWarm);

@@ -9,6 +9,7 @@
 
 #include "dynamics/quick_step/fast/dxContactCache.h"
 #include "dynamics/quick_step/fast/dxPgsSolver.h"
+#include "settings/dxKeptJointForces.h"
 #include "settings/dxWorldState.h"
 
 class dxFastQuickStepState final : public dxWorldPart {
@@ -27,6 +28,10 @@ public:
     dxContactCache &cache() { return m_cache; }
     bool isWarm() const { return m_choice.isWarm; }
     double tolerance() const { return m_choice.tolerance; }
+
+    // Numbers of this step and the last one, as joints keep them (dxKeptJointForces).
+    unsigned step() const { return m_step; }
+    unsigned lastStep() const { return m_step > 1 ? m_step - 1 : dxKeptJointForces::kLastStep; }
 
     // A solver until the end of the scope. Throws std::bad_alloc.
     class Lease {
@@ -51,6 +56,7 @@ private:
     dxContactCache m_cache;
     dxSolverChoice m_choice;
     dReal m_stepSize = 0;
+    unsigned m_step = 0;
     std::mutex m_mutex;  // of the rest
     std::vector<std::unique_ptr<dxPgsSolver>> m_solvers;
     std::vector<dxPgsSolver *> m_idle;  // has room for all

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstring>
 
 #include <ode/odemath.h>
 
 #include "dynamics/quick_step/dxJointRows.h"
+#include "dynamics/quick_step/fast/dxContactCache.h"
+#include "dynamics/quick_step/fast/dxFastQuickStepState.h"
 #include "dynamics/step/islands/dxForBodies.h"
 
 namespace {
@@ -79,7 +82,13 @@ unsigned dxJointReader::readJoint(const LaneJoint &own, dxJointLanes *rows, unsi
     joint.getInfo1(&info);
     Row read[dxJointPack::kMaxRows];
     dxReadJointRows(m_step, joint, info.m, read);
-    for (unsigned k = 0; k < info.m; ++k) writeRow(read[k], m_step.stepSize, joint.node[1].body != nullptr, rows[k], lane);
+    const bool isWarm = m_step.fastQuickStep->isWarm() && dxKeptJointForces::areOf(joint, m_step.fastQuickStep->lastStep());
+    const dReal part = isWarm ? dxWarmStartFactor(m_step.world->global_erp) * m_step.stepSize : 0;
+    for (unsigned k = 0; k < info.m; ++k) {
+        writeRow(read[k], m_step.stepSize, joint.node[1].body != nullptr, rows[k], lane);
+        const dReal impulse = part * joint.lambda[k];
+        rows[k].impulse.set(lane, std::isfinite(impulse) ? impulse : 0);
+    }
     return info.m;
 }
 
@@ -89,6 +98,19 @@ void dxJointReader::readBodies(unsigned begin, unsigned end, const dxIslandBody 
             dxJointPack &pack = m_plan.jointPacks()[i];
             pack.clear(lane, m_step.island.bodyCount);
             pack.set(lane, laneJoint(i, lane).body, masses);
+        }
+}
+
+void dxJointReader::keep(const dxJointLanes *rows, unsigned begin, unsigned end) const {
+    const dReal perStep = dRecip(m_step.stepSize);
+    for (unsigned i = begin; i < end; ++i)
+        for (unsigned lane = 0; lane < dxLanes::kCount; ++lane) {
+            if (laneJoint(i, lane).isEmpty()) continue;
+            dxJoint &joint = jointOf(laneJoint(i, lane));
+            const dxJointPack &pack = m_plan.jointPacks()[i];
+            for (unsigned k = 0; k < pack.rowCount; ++k)
+                joint.lambda[k] = perStep * static_cast<dReal>(rows[pack.firstRow + k].impulse.lane[lane]);
+            dxKeptJointForces::mark(joint, m_step.fastQuickStep->step());
         }
 }
 

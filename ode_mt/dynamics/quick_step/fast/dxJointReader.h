@@ -1,7 +1,7 @@
 // Joints other than contacts to lanes (dxJointPack.h), and forces back: asks the joints for their rows, as dxJointRows does, and writes these into
 // packs.
 //
-// Threading: several threads may read the bodies of different packs at the same time; read() shares joints out among the island's workers where none
+// Threading: several threads may read the bodies, and keep the forces, of different packs at the same time; read() shares joints out among the island's workers where none
 // of them pushes its bodies; all else is serial.
 #pragma once
 
@@ -13,12 +13,15 @@ class dxJointReader {
 public:
     dxJointReader(const dxIslandStep &step, const dxConstraintPlan &plan) : m_step(step), m_plan(plan) {}
 
-    // Writes the rows of all joints in lanes, with impulses of zero, and the number of rows of each pack. Joints may add to the bodies' accumulators,
+    // Writes the rows of all joints in lanes, the impulses with which they begin, and the number of rows of each pack. Joints may add to the bodies' accumulators,
     // and call the user's message handlers. Returns the number of rows of all joints.
     unsigned read(dxJointLanes *rows) const;
 
     // Writes the bodies of packs [begin, end). `masses`: by tag.
     void readBodies(unsigned begin, unsigned end, const dxIslandBody *masses) const;
+
+    // The joints of packs [begin, end) keep the forces of the impulses for the next step.
+    void keep(const dxJointLanes *rows, unsigned begin, unsigned end) const;
 
     // Writes the forces of the impulses to the joints' feedback, in the order of joints.
     void giveFeedback(const dxJointLanes *rows) const;

@@ -73,6 +73,7 @@ double prepare(const dxJointPacks &joints, unsigned begin, unsigned end, const d
             const Lane angular = hn::Add(dot(jacobian.onA, massesA.turn(jacobian.onA)), dot(jacobian.onB(), massesB.turn(jacobian.onB())));
             const Lane effectiveMass = inverseOf(hn::Add(hn::Add(linear, angular), loadLanes(row.softness, first)));
             storeLanes(effectiveMass, row.effectiveMass, first);
+            storeLanes(within(loadLanes(row.low, first), loadLanes(row.high, first), loadLanes(row.impulse, first)), row.impulse, first);
             const Lane residual = residualOf(row, jacobian, motion, hn::Zero(LaneTag()), first);
             const Lane impulse = within(loadLanes(row.low, first), loadLanes(row.high, first), hn::Mul(residual, effectiveMass));
             sum = hn::Add(sum, hn::Abs(hn::Mul(impulse, residual)));
@@ -82,43 +83,85 @@ double prepare(const dxJointPacks &joints, unsigned begin, unsigned end, const d
     return energy.sum();
 }
 
-double sweep(const dxJointPacks &joints, unsigned begin, unsigned end, dReal factor, dxSpatialMotion *velocities) {
+// What the rows of a joint change.
+struct JointChanges {
+    Vector push, turnA, turnB;
+
+    static HWY_INLINE JointChanges none() {
+        const Vector zero = Changes::none().v;
+        return {zero, zero, zero};
+    }
+    HWY_INLINE void addTo(const dxLaneBodies &bodies, unsigned first, const Masses &massesA, const Masses &massesB, dxSpatialMotion *velocities,
+                          dxSpatialMotion (&elsewhere)[2][dxLanes::kCount]) const {
+        Changes{scale(push, massesA.invMass), turnA}.addTo(bodies, 0, first, velocities, elsewhere[0]);
+        Changes{scale(push, hn::Neg(massesB.invMass)), turnB}.addTo(bodies, 1, first, velocities, elsewhere[1]);
+    }
+};
+
+// Lets a change of a row's impulse act.
+HWY_INLINE void actOn(const Jacobian &jacobian, Lane change, const Masses &massesA, const Masses &massesB, Lane inverseMass, JointMotion &motion,
+                      JointChanges &changes) {
+    const Vector linear = scale(jacobian.linear, change);
+    const Vector turnA = massesA.turn(scale(jacobian.onA, change)), turnB = massesB.turn(scale(jacobian.onB(), change));
+    changes.push = add(changes.push, linear);
+    changes.turnA = add(changes.turnA, turnA);
+    changes.turnB = add(changes.turnB, turnB);
+    motion.v = add(motion.v, scale(linear, inverseMass));
+    motion.w = add(motion.w, subtract(turnA, turnB));
+    motion.wB = add(motion.wB, turnB);
+}
+
+// Calls work(row, its Jacobian, motion, act) for the rows of kLanes joints at a time, where act(change) lets a change of the row's impulse act, and
+// returns an energy.
+template <class Work>
+HWY_INLINE double forMovingRows(const dxJointPacks &joints, unsigned begin, unsigned end, dxSpatialMotion *velocities, const Work &work) {
     clearEnergies(joints.energies, begin, end);
     Energy energy(joints.energies);
     dxSpatialMotion elsewhere[2][dxLanes::kCount] = {};
-    const Lane relaxation = hn::Set(LaneTag(), static_cast<float>(factor));
     forPacks(joints, begin, end, [&](unsigned number, const dxJointPack &pack, unsigned first) HWY_ATTR {
         const Masses massesA = Masses::load(pack, 0, first), massesB = Masses::load(pack, 1, first);
         const Lane inverseMass = hn::Add(massesA.invMass, massesB.invMass);
         JointMotion motion = JointMotion::load(pack, first, velocities);
-        Changes changeA = Changes::none(), changeB = Changes::none();
-        Vector push = changeA.v;
+        JointChanges changes = JointChanges::none();
         Lane sum = hn::Zero(LaneTag());
         for (unsigned k = 0; k < pack.rowCount; ++k) {
             dxJointLanes &row = joints.rows[pack.firstRow + k];
             const Jacobian jacobian = Jacobian::load(row, first);
-            const Lane impulse = loadLanes(row.impulse, first), residual = residualOf(row, jacobian, motion, impulse, first);
-            const Lane step = hn::Mul(relaxation, loadLanes(row.effectiveMass, first));
-            const Lane next = within(loadLanes(row.low, first), loadLanes(row.high, first), hn::Add(impulse, hn::Mul(residual, step)));
-            const Lane change = hn::Sub(next, impulse);
-            storeLanes(next, row.impulse, first);
-            sum = hn::Add(sum, hn::Abs(hn::Mul(change, residual)));
-            const Vector linear = scale(jacobian.linear, change);
-            const Vector turnA = massesA.turn(scale(jacobian.onA, change)), turnB = massesB.turn(scale(jacobian.onB(), change));
-            push = add(push, linear);
-            changeA.w = add(changeA.w, turnA);
-            changeB.w = add(changeB.w, turnB);
-            motion.v = add(motion.v, scale(linear, inverseMass));
-            motion.w = add(motion.w, subtract(turnA, turnB));
-            motion.wB = add(motion.wB, turnB);
+            const auto act = [&](Lane change) HWY_ATTR { actOn(jacobian, change, massesA, massesB, inverseMass, motion, changes); };
+            sum = hn::Add(sum, work(row, jacobian, motion, first, act));
         }
-        changeA.v = scale(push, massesA.invMass);
-        changeB.v = scale(push, hn::Neg(massesB.invMass));
-        changeA.addTo(pack, 0, first, velocities, elsewhere[0]);
-        changeB.addTo(pack, 1, first, velocities, elsewhere[1]);
+        changes.addTo(pack, first, massesA, massesB, velocities, elsewhere);
         energy.add(number, sum, first);
     });
     return energy.sum();
+}
+
+// The impulses act one after the other: each works on the mean of the motions before and after it.
+double apply(const dxJointPacks &joints, unsigned begin, unsigned end, dxSpatialMotion *velocities) {
+    return forMovingRows(joints, begin, end, velocities,
+                         [](const dxJointLanes &row, const Jacobian &jacobian, const JointMotion &motion, unsigned first, const auto &act) HWY_ATTR {
+                             const Lane impulse = loadLanes(row.impulse, first), half = hn::Set(LaneTag(), 0.5f);
+                             const Lane before = jacobian.velocityOf(motion);
+                             act(impulse);
+                             const Lane mean = hn::Mul(half, hn::Add(before, jacobian.velocityOf(motion)));
+                             const Lane yielding = hn::Mul(half, hn::Mul(loadLanes(row.softness, first), impulse));
+                             return hn::Mul(impulse, hn::Add(hn::Sub(mean, loadLanes(row.bias, first)), yielding));
+                         });
+}
+
+double sweep(const dxJointPacks &joints, unsigned begin, unsigned end, dReal factor, dxSpatialMotion *velocities) {
+    const Lane relaxation = hn::Set(LaneTag(), static_cast<float>(factor));
+    return forMovingRows(joints, begin, end, velocities,
+                         [&](dxJointLanes &row, const Jacobian &jacobian, const JointMotion &motion, unsigned first, const auto &act) HWY_ATTR {
+                             const Lane impulse = loadLanes(row.impulse, first), residual = residualOf(row, jacobian, motion, impulse, first);
+                             const Lane step = hn::Mul(relaxation, loadLanes(row.effectiveMass, first));
+                             const Lane wanted = hn::Add(impulse, hn::Mul(residual, step));
+                             const Lane next = within(loadLanes(row.low, first), loadLanes(row.high, first), wanted);
+                             const Lane change = hn::Sub(next, impulse);
+                             storeLanes(next, row.impulse, first);
+                             act(change);
+                             return hn::Abs(hn::Mul(change, residual));
+                         });
 }
 
 HWY_INLINE RealWrenches realWrenchesOf(const dxJointPack &pack, const dxJointLanes *rows) {
@@ -153,6 +196,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace dxJointKernels {
 HWY_EXPORT(addImpulses);
+HWY_EXPORT(apply);
 HWY_EXPORT(prepare);
 HWY_EXPORT(sweep);
 }  // namespace dxJointKernels
@@ -161,6 +205,12 @@ double dxPrepareJoints(const dxJointPacks &joints, unsigned begin, unsigned end,
     using namespace dxJointKernels;
     const dxFlushSubnormals flush;
     return HWY_DYNAMIC_DISPATCH(prepare)(joints, begin, end, velocities);
+}
+
+double dxApplyJointImpulses(const dxJointPacks &joints, unsigned begin, unsigned end, dxSpatialMotion *velocities) {
+    using namespace dxJointKernels;
+    const dxFlushSubnormals flush;
+    return HWY_DYNAMIC_DISPATCH(apply)(joints, begin, end, velocities);
 }
 
 double dxSweepJoints(const dxJointPacks &joints, unsigned begin, unsigned end, dReal factor, dxSpatialMotion *velocities) {

@@ -5,8 +5,11 @@
 
 #include "dynamics/quick_step/fast/dxJointPack.h"
 
-// Completes what dxJointReader has written: effective masses. Energies: of the residuals without impulses, `velocities` being the free ones.
+// Completes what dxJointReader has written: effective masses, and impulses within the limits. Energies: of the residuals without impulses, `velocities` being the free ones.
 double dxPrepareJoints(const dxJointPacks &joints, unsigned begin, unsigned end, const dxSpatialMotion *velocities);
+
+// Adds the impulses to the velocities, with the energies of dxApplyImpulses.
+double dxApplyJointImpulses(const dxJointPacks &joints, unsigned begin, unsigned end, dxSpatialMotion *velocities);
 
 // Relaxes the rows of each joint in their order, with an over-relaxation. Energies: of the change, the sum of |change of an impulse x its residual|.
 double dxSweepJoints(const dxJointPacks &joints, unsigned begin, unsigned end, dReal factor, dxSpatialMotion *velocities);

@@ -158,15 +158,16 @@ void dxPgsSolver::prepare(const dxIslandStep &step, const dxRowJoints &joints) {
     m_isConverged = m_plan.phases().empty();
 }
 
-// The impulses of the last step act as if they were a sweep's. Joints in lanes have none.
+// The impulses of the last step act as if they were a sweep's.
 void dxPgsSolver::startWarm(const dxIslandStep &step) {
     if (m_isConverged) return;
-    std::fill(m_jointPackEnergies.begin(), m_jointPackEnergies.end(), dxLaneNumbers());
     const double energy = solvePhases([this](const dxConstraintPlan::Chunk &chunk) {
         double found = 0;
         if (chunk.firstPack != chunk.endPack) found += dxApplyImpulses(packs(), chunk.firstPack, chunk.endPack, m_velocities.data());
         if (chunk.firstRowJoint != chunk.endRowJoint)
             found += m_rows.apply(chunk.firstRowJoint, chunk.endRowJoint, m_velocities.data());
+        if (chunk.firstJointPack != chunk.endJointPack)
+            found += dxApplyJointImpulses(jointPacks(), chunk.firstJointPack, chunk.endJointPack, m_velocities.data());
         return found;
     });
     if (step.fastQuickStep->isWarm()) startColdWhereWorse(step, energy);
@@ -233,9 +234,13 @@ void dxPgsSolver::store(const dxIslandStep &step, const dxRowJoints &joints, dxN
     });
     const dxContactReader reader(step, m_masses);
     reader.list(m_plan);
-    forChunks(step, [&](const dxConstraintPlan::Chunk &chunk, unsigned) { reader.keep(packs(), m_lanes, chunk.firstPack, chunk.endPack); });
+    const dxJointReader jointReader(step, m_plan);
+    forChunks(step, [&](const dxConstraintPlan::Chunk &chunk, unsigned) {
+        reader.keep(packs(), m_lanes, chunk.firstPack, chunk.endPack);
+        jointReader.keep(m_jointLanes.data(), chunk.firstJointPack, chunk.endJointPack);
+    });
     if (m_hasFeedback.load(std::memory_order_relaxed)) reader.giveFeedback(packs(), m_plan);
-    dxJointReader(step, m_plan).giveFeedback(m_jointLanes.data());
+    jointReader.giveFeedback(m_jointLanes.data());
     m_rows.keep(step);
     m_rows.finish(step.stepSize);
     joints.giveFeedback();
@@ -308,6 +313,12 @@ void dxPgsSolver::startColdWhereWorse(const dxIslandStep &step, double energy) {
         for (unsigned k = 0; k < manifold.contactCount; ++k)
             for (dxLaneNumbers &impulse : contacts[k].impulse) impulse.lane[manifold.lane] = 0;
     });
+    const dxArenaArray<const dxConstraintPlan::LaneJoint> laneJoints = m_plan.laneJoints();
+    for (std::size_t i = 0; i < laneJoints.size(); ++i) {
+        if (laneJoints[i].isEmpty() || !isWorse(m_plan.islandOf(laneJoints[i]))) continue;
+        const dxJointPack &pack = m_plan.jointPacks()[i / dxLanes::kCount];
+        for (unsigned k = 0; k < pack.rowCount; ++k) m_jointLanes[pack.firstRow + k].impulse.lane[i % dxLanes::kCount] = 0;
+    }
     for (unsigned i = 0; i < m_plan.rowJoints().size(); ++i)
         if (isWorse(m_plan.islandOf(m_plan.rowJoints()[i]))) m_rows.startCold(i);
 }
