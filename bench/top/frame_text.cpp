@@ -98,7 +98,8 @@ std::vector<std::string> detailsOf(const FrameRates &rates) {
         lines.push_back("           " + elsewhere(last));
     if (last.workTime > 0)
         lines.push_back(print("  share    %s of the work is one thread's: with 4, 8, 16 cores at most %.1f, %.1f, %.1f times as fast as with one",
-                              percent(last.serialShare).c_str(), bound(last.serialShare, 4), bound(last.serialShare, 8), bound(last.serialShare, 16)));
+                              percent(last.serialShare).c_str(), bound(last.serialShare, 4), bound(last.serialShare, 8),
+                              bound(last.serialShare, 16)));
     if (last.waitTime > 0) lines.push_back("  waiting  " + milliseconds(last.waitTime) + " ms for other threads");
     return lines;
 }

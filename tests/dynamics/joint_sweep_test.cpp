@@ -169,8 +169,8 @@ TEST(JointSweep, LeavesTheVelocitiesThatTheImpulsesGive) {
     });
 }
 
-// Impulses of the last step become those within the limits. What they add to 1/2 u' M u + 1/2 p' softness p - bias' p is their work on the mean of the
-// velocities before and after them, less what is wanted.
+// Impulses of the last step become those within the limits. What they add to 1/2 u' M u + 1/2 p' softness p - bias' p is their work on the mean of
+// the velocities before and after them, less what is wanted.
 TEST(JointSweep, AppliesImpulsesWithinTheLimits) {
     onAllInstructionSets([] {
         for (unsigned seed = 0; seed < 20; ++seed) {

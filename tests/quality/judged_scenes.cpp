@@ -190,7 +190,8 @@ void furnishNet(Lab &lab) {
         dJointSetHingeParam(hinge, dParamHiStop, REAL(0.2));
     };
     for (int i = 0; i < kSide * kSide; ++i) {
-        const Vector3 at{kPitch * static_cast<dReal>(i % kSide), kPitch * static_cast<dReal>(i / kSide), REAL(0.2) + REAL(0.0005) * static_cast<dReal>(i)};
+        const dReal z = REAL(0.2) + REAL(0.0005) * static_cast<dReal>(i);
+        const Vector3 at{kPitch * static_cast<dReal>(i % kSide), kPitch * static_cast<dReal>(i / kSide), z};
         plates.push_back(lab.addBox(at, {kPlate, kPlate, REAL(0.05)}, 1));
         if (i % kSide != 0) connect(i, i - 1, at - Vector3{kPitch / 2, 0, 0}, scenes::kAxisY);
         if (i >= kSide) connect(i, i - kSide, at - Vector3{0, kPitch / 2, 0}, {1, 0, 0});

@@ -1,8 +1,8 @@
 // Joints other than contacts to lanes (dxJointPack.h), and forces back: asks the joints for their rows, as dxJointRows does, and writes these into
 // packs.
 //
-// Threading: several threads may read the bodies, and keep the forces, of different packs at the same time; read() shares joints out among the island's workers where none
-// of them pushes its bodies; all else is serial.
+// Threading: several threads may read the bodies, and keep the forces, of different packs at the same time; read() shares joints out among the
+// island's workers where none of them pushes its bodies; all else is serial.
 #pragma once
 
 #include "dynamics/quick_step/fast/dxConstraintPlan.h"
@@ -13,8 +13,8 @@ class dxJointReader {
 public:
     dxJointReader(const dxIslandStep &step, const dxConstraintPlan &plan) : m_step(step), m_plan(plan) {}
 
-    // Writes the rows of all joints in lanes, the impulses with which they begin, and the number of rows of each pack. Joints may add to the bodies' accumulators,
-    // and call the user's message handlers. Returns the number of rows of all joints.
+    // Writes the rows of all joints in lanes, the impulses with which they begin, and the number of rows of each pack. Joints may add to the bodies'
+    // accumulators, and call the user's message handlers. Returns the number of rows of all joints.
     unsigned read(dxJointLanes *rows) const;
 
     // Writes the bodies of packs [begin, end). `masses`: by tag.

@@ -5,7 +5,8 @@
 
 #include "dynamics/quick_step/fast/dxJointPack.h"
 
-// Completes what dxJointReader has written: effective masses, and impulses within the limits. Energies: of the residuals without impulses, `velocities` being the free ones.
+// Completes what dxJointReader has written: effective masses, and impulses within the limits. Energies: of the residuals without impulses,
+// `velocities` being the free ones.
 double dxPrepareJoints(const dxJointPacks &joints, unsigned begin, unsigned end, const dxSpatialMotion *velocities);
 
 // Adds the impulses to the velocities, with the energies of dxApplyImpulses.
