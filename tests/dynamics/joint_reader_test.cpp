@@ -278,6 +278,24 @@ TEST_F(JointReader, DropsForcesThatAreNotOfTheLastStep) {
     for (const Change change : {kAttached, kStepBetween, kStepSize2}) EXPECT_EQ(after(change, true), after(change, false)) << change;
 }
 
+// Kept forces are those of one step and one number of rows, and their marks leave the other flags alone.
+TEST_F(JointReader, MarksForcesWithStepAndRows) {
+    const dWorldID world = dWorldCreate();
+    const dJointID joint = dJointCreateBall(world, nullptr);
+    dJointDisable(joint);
+    EXPECT_FALSE(dxKeptJointForces::areOf(*joint, 1, 3));
+    for (const unsigned step : {1u, 77u, dxKeptJointForces::kLastStep}) {
+        dxKeptJointForces::mark(*joint, step, 3);
+        EXPECT_TRUE(dxKeptJointForces::areOf(*joint, step, 3));
+        EXPECT_FALSE(dxKeptJointForces::areOf(*joint, step - 1, 3));
+        EXPECT_FALSE(dxKeptJointForces::areOf(*joint, step, 4));
+        EXPECT_FALSE(dJointIsEnabled(joint));
+    }
+    dxKeptJointForces::drop(*joint);
+    EXPECT_FALSE(dxKeptJointForces::areOf(*joint, dxKeptJointForces::kLastStep, 3));
+    dWorldDestroy(world);
+}
+
 // Where sweeps are many, and joints soft enough for them to find the solution, lanes and rows find the same velocities.
 TEST_F(JointReader, FindsTheVelocitiesOfExactQuickStep) {
     Net exact("exact"), fast("fast");

@@ -391,7 +391,7 @@ void dxConstraintPlan::Maker::makeJointPacks(std::size_t count, PackPlaces &plac
     m_jointPackColors = m_colors.count();
     m_plan.m_jointPacks = m_arena.take<dxJointPack>(count);
     std::memset(m_plan.m_jointPacks.data(), 0, count * sizeof(dxJointPack));
-    m_plan.m_laneJoints = m_arena.takeFilled(count * dxLanes::kCount, LaneJoint{LaneJoint::kNone, {kNoBody, kNoBody}});
+    m_plan.m_laneJoints = m_arena.takeFilled(count * dxLanes::kCount, LaneJoint{LaneJoint::kNone, {kNoBody, kNoBody}, 0});
     m_plan.m_feedbackLanes = m_arena.takeList<unsigned>(m_otherJoints.size());
     m_plan.m_hasPassiveLaneJoints = true;
     for (const OtherJoint &other : m_otherJoints) {
@@ -399,7 +399,7 @@ void dxConstraintPlan::Maker::makeJointPacks(std::size_t count, PackPlaces &plac
         const dxJoint &joint = *m_group.joints[other.joint];
         const PackPlaces::Place place = places.take(other.color, other.laneRows);
         const unsigned lane = place.pack * dxLanes::kCount + place.lane;
-        m_plan.m_laneJoints[lane] = {other.joint, {other.body[0], other.body[1]}};
+        m_plan.m_laneJoints[lane] = {other.joint, {other.body[0], other.body[1]}, 0};
         if (joint.feedback != nullptr) m_plan.m_feedbackLanes.push(lane);
         m_plan.m_hasPassiveLaneJoints &= isPassive(joint);
         dxJointPack &pack = m_plan.m_jointPacks[place.pack];

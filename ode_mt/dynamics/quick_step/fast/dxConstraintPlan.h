@@ -37,8 +37,9 @@ public:
     struct LaneJoint {
         static constexpr unsigned kNone = ~0u;
 
-        unsigned joint;  // kNone: the lane is empty
-        int body[2];     // tags, or kNoBody
+        unsigned joint;         // kNone: the lane is empty
+        int body[2];            // tags, or kNoBody
+        std::uint8_t rowCount;  // in this step: of dxJointReader
 
         bool isEmpty() const { return joint == kNone; }
     };
@@ -102,7 +103,7 @@ public:
     // With the largest number of rows that their joints may have.
     dxArenaArray<dxJointPack> jointPacks() const { return m_jointPacks; }
     unsigned packedRows() const { return m_packedRows; }  // elements of the array of dxJointLanes
-    dxArenaArray<const LaneJoint> laneJoints() const { return m_laneJoints; }  // by pack and lane
+    dxArenaArray<LaneJoint> laneJoints() const { return m_laneJoints; }  // by pack and lane
     dxArenaArray<const unsigned> feedbackLanes() const { return m_feedbackLanes; }  // of laneJoints(), those with feedback, in the order of the group
     bool hasPassiveLaneJoints() const { return m_hasPassiveLaneJoints; }       // none of them pushes its bodies when it is asked for its rows
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 
 #include <ode/odemath.h>
@@ -60,7 +61,7 @@ unsigned dxJointReader::read(dxJointLanes *rows) const {
 
 // Returns the number of rows of all its joints.
 unsigned dxJointReader::readPack(std::size_t number, dxJointLanes *rows) const {
-    const dxArenaArray<const LaneJoint> joints = m_plan.laneJoints();
+    const dxArenaArray<LaneJoint> joints = m_plan.laneJoints();
     dxJointPack &pack = m_plan.jointPacks()[number];
     std::memset(rows, 0, pack.rowCount * sizeof(dxJointLanes));
     pack.rowCount = 0;
@@ -70,6 +71,7 @@ unsigned dxJointReader::readPack(std::size_t number, dxJointLanes *rows) const {
         if (next < joints.size() && !joints[next].isEmpty()) dxIslandPrefetch::joint(&jointOf(joints[next]));
         if (laneJoint(number, lane).isEmpty()) continue;
         const unsigned found = readJoint(laneJoint(number, lane), rows, lane);
+        joints[number * dxLanes::kCount + lane].rowCount = static_cast<std::uint8_t>(found);
         pack.rowCount = std::max(pack.rowCount, found);
         count += found;
     }
@@ -82,7 +84,7 @@ unsigned dxJointReader::readJoint(const LaneJoint &own, dxJointLanes *rows, unsi
     joint.getInfo1(&info);
     Row read[dxJointPack::kMaxRows];
     dxReadJointRows(m_step, joint, info.m, read);
-    const bool isWarm = m_step.fastQuickStep->isWarm() && dxKeptJointForces::areOf(joint, m_step.fastQuickStep->lastStep());
+    const bool isWarm = m_step.fastQuickStep->isWarm() && dxKeptJointForces::areOf(joint, m_step.fastQuickStep->lastStep(), info.m);
     const dReal part = isWarm ? dxWarmStartFactor(m_step.world->global_erp) * m_step.stepSize : 0;
     for (unsigned k = 0; k < info.m; ++k) {
         writeRow(read[k], m_step.stepSize, joint.node[1].body != nullptr, rows[k], lane);
@@ -108,9 +110,9 @@ void dxJointReader::keep(const dxJointLanes *rows, unsigned begin, unsigned end)
             if (laneJoint(i, lane).isEmpty()) continue;
             dxJoint &joint = jointOf(laneJoint(i, lane));
             const dxJointPack &pack = m_plan.jointPacks()[i];
-            for (unsigned k = 0; k < pack.rowCount; ++k)
+            for (unsigned k = 0; k < laneJoint(i, lane).rowCount; ++k)
                 joint.lambda[k] = perStep * static_cast<dReal>(rows[pack.firstRow + k].impulse.lane[lane]);
-            dxKeptJointForces::mark(joint, m_step.fastQuickStep->step());
+            dxKeptJointForces::mark(joint, m_step.fastQuickStep->step(), laneJoint(i, lane).rowCount);
         }
 }
 
