@@ -66,17 +66,21 @@ protected:
 
     dWorldID world() const { return m_world; }
 
-    // The fewest of some frames: the cost model tries two threads now and then, which take locks.
+    // The fewest of some frames on one thread. The cost model tries two threads now and then, or prefers them for a while; then these take locks.
     unsigned locksOf(dWorldStepFunction *step) {
+        constexpr int kEnough = 30, kMost = 20000;
         unsigned fewest = ~0u;
-        for (int frame = 0; frame < 30; ++frame) {
+        for (int frame = 0, serial = 0; frame < kMost && serial < kEnough; ++frame) {
             dSpaceCollide(m_space, this, attach);
+            const unsigned shared = dODE_MT_GetParallelSteps() + dODE_MT_GetTeamSteps();
             g_locks = 0;
             g_counting = true;
             step(m_world, 0.01);
             g_counting = false;
-            fewest = std::min(fewest, g_locks.load());
             dJointGroupEmpty(m_contacts);
+            if (dODE_MT_GetParallelSteps() + dODE_MT_GetTeamSteps() != shared) continue;
+            ++serial;
+            fewest = std::min(fewest, g_locks.load());
         }
         return fewest;
     }
