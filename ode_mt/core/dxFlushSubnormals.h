@@ -6,28 +6,25 @@
 
 #ifdef __SSE2__
 #include <immintrin.h>
+#endif
 
 class dxFlushSubnormals {
 public:
-    dxFlushSubnormals() : m_before(_mm_getcsr()) { _mm_setcsr(m_before | kFlushResults | kFlushOperands); }
-    ~dxFlushSubnormals() { _mm_setcsr((_mm_getcsr() & ~(kFlushResults | kFlushOperands)) | (m_before & (kFlushResults | kFlushOperands))); }
+    dxFlushSubnormals() : m_before(read()) { write(m_before | kFlush); }
+    ~dxFlushSubnormals() { write((read() & ~kFlush) | (m_before & kFlush)); }
     dxFlushSubnormals(const dxFlushSubnormals &) = delete;
     dxFlushSubnormals &operator=(const dxFlushSubnormals &) = delete;
 
 private:
-    static constexpr unsigned kFlushResults = 1u << 15, kFlushOperands = 1u << 6;  // of MXCSR
+    static constexpr unsigned kFlush = 1u << 15 | 1u << 6;  // of MXCSR: results, and operands
+
+#ifdef __SSE2__
+    static unsigned read() { return _mm_getcsr(); }
+    static void write(unsigned settings) { _mm_setcsr(settings); }
+#else
+    static unsigned read() { return 0; }
+    static void write(unsigned) {}
+#endif
 
     const unsigned m_before;
 };
-
-#else
-
-class dxFlushSubnormals {
-public:
-    dxFlushSubnormals() {}
-    ~dxFlushSubnormals() {}
-    dxFlushSubnormals(const dxFlushSubnormals &) = delete;
-    dxFlushSubnormals &operator=(const dxFlushSubnormals &) = delete;
-};
-
-#endif

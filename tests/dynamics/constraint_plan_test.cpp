@@ -20,6 +20,7 @@
 #include "own_threads.h"
 #include "random_world.h"
 #include "threading/pool/dxPhaseRunner.h"
+#include "world_group.h"
 
 namespace {
 
@@ -37,30 +38,15 @@ std::vector<Manifold> rowsOf(const dxConstraintPlan &plan) {
     return manifolds;
 }
 
-// All joints of a world as one group; joints between bodies that do not move left out.
-class Group {
+class Group : public WorldGroup {
 public:
-    explicit Group(dWorldID world) {
-        for (dxBody *body = world->firstbody; body != nullptr; body = static_cast<dxBody *>(body->next)) {
-            body->tag = static_cast<int>(m_bodies.size());
-            m_bodies.push_back(body);
-        }
-        for (dxJoint *joint = world->firstjoint; joint != nullptr; joint = static_cast<dxJoint *>(joint->next))
-            if (joint->isEnabled()) m_joints.push_back(joint);
-    }
+    using WorldGroup::WorldGroup;
 
-    dxIsland island() const {
-        return {m_bodies.data(), m_joints.data(), static_cast<unsigned>(m_bodies.size()), static_cast<unsigned>(m_joints.size())};
-    }
-    bool moves(int body) const { return body >= 0 && m_bodies[static_cast<std::size_t>(body)]->invMass > 0; }
+    bool moves(int body) const { return body >= 0 && island().bodies[body]->invMass > 0; }
     int bodyOf(unsigned joint, int side) const {
-        const dxBody *const body = m_joints[joint]->node[side].body;
+        const dxBody *const body = island().joints[joint]->node[side].body;
         return body != nullptr ? body->tag : dxConstraintPlan::kNoBody;
     }
-
-private:
-    std::vector<dxBody *> m_bodies;
-    std::vector<dxJoint *> m_joints;
 };
 
 dJointID touch(dWorldID world, dBodyID first, dBodyID second) {
@@ -105,11 +91,10 @@ protected:
             }
         });
         for (const dxConstraintPlan::RowJoint &other : plan.rowJoints()) ++times.at(other.joint);
-        for (const dxConstraintPlan::LaneJoint &own : plan.laneJoints()) {
-            if (own.isEmpty()) continue;
+        plan.forLaneJoints([&](const dxConstraintPlan::LaneJoint &own, unsigned, unsigned) {
             ++times.at(own.joint);
             for (int side = 0; side < 2; ++side) EXPECT_EQ(group.bodyOf(own.joint, side), own.body[side]);
-        }
+        });
         for (const Manifold &manifold : rowsOf(plan))
             for (unsigned i = 0; i < manifold.contactCount; ++i)
                 EXPECT_EQ(plan.rowJoints()[manifold.firstRowJoint() + i].joint, manifold.firstJoint + i);

@@ -185,11 +185,6 @@ private:
     std::vector<dxContactResponse> m_responses;
 };
 
-template <class Test>
-void onAllInstructionSets(const Test &test) {
-    for (const std::int64_t set : instructionSets()) onInstructionSet(set, test);
-}
-
 TEST(ContactSweep, PreparesThreeDirectionsAtRightAngles) {
     onAllInstructionSets([] {
         Pack pack(1);

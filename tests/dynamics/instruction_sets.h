@@ -27,3 +27,9 @@ void onInstructionSet(std::int64_t set, const Body &body) {
     hwy::SetSupportedTargetsForTest(0);
     hwy::GetChosenTarget().DeInit();
 }
+
+// With that of each.
+template <class Test>
+void onAllInstructionSets(const Test &test) {
+    for (const std::int64_t set : instructionSets()) onInstructionSet(set, test);
+}

@@ -18,6 +18,7 @@
 #include "dynamics/quick_step/fast/dxFastQuickStepState.h"
 #include "dynamics/quick_step/fast/dxJointReader.h"
 #include "random_world.h"
+#include "world_group.h"
 
 namespace {
 
@@ -29,22 +30,15 @@ constexpr dReal kStepSize = dReal(0.01);
 
 // A world's bodies and joints as one group, and their plan.
 struct Group {
-    explicit Group(dWorldID world) {
-        for (dxBody *body = world->firstbody; body != nullptr; body = static_cast<dxBody *>(body->next)) {
-            body->tag = static_cast<int>(bodies.size());
-            bodies.push_back(body);
-        }
-        for (dxJoint *joint = world->firstjoint; joint != nullptr; joint = static_cast<dxJoint *>(joint->next))
-            if (joint->isEnabled()) joints.push_back(joint);
+    explicit Group(dWorldID world) : group(world) {
         step.world = world;
         step.stepSize = kStepSize;
         step.fastQuickStep = &state;
-        step.island = {bodies.data(), joints.data(), static_cast<unsigned>(bodies.size()), static_cast<unsigned>(joints.size())};
+        step.island = group.island();
         plan.make(step.island, arena);
     }
 
-    std::vector<dxBody *> bodies;
-    std::vector<dxJoint *> joints;
+    const WorldGroup group;
     dxFastQuickStepState state;
     dxIslandStep step = {};
     dxStepArena arena;
@@ -81,23 +75,20 @@ TEST_F(JointReader, WritesTheRowsOfAllTypesOfJoints) {
         std::vector<dxJointLanes> rows(group.plan.packedRows());
         unsigned count = 0;
         const unsigned found = dxJointReader(group.step, group.plan).read(rows.data());
-        for (std::size_t i = 0; i < group.plan.laneJoints().size(); ++i) {
-            const dxConstraintPlan::LaneJoint &own = group.plan.laneJoints()[i];
-            if (own.isEmpty()) continue;
-            dxJoint &joint = *group.joints[own.joint];
+        group.plan.forLaneJoints([&](const dxConstraintPlan::LaneJoint &own, unsigned number, unsigned lane) {
+            dxJoint &joint = *group.step.island.joints[own.joint];
             types.insert(joint.type());
             dxJoint::Info1 info;
             joint.getInfo1(&info);
-            dxConstraintRow expected[6];
-            dxReadJointRows(group.step, joint, info.m, expected);
-            const dxJointPack &pack = group.plan.jointPacks()[i / dxLanes::kCount];
+            dxConstraintRow expected[dxConstraintRow::kMaxOfJoint];
+            dxReadJointRows(group.step, joint, 0, info.m, expected);
+            const dxJointPack &pack = group.plan.jointPacks()[number];
             EXPECT_LE(info.m, pack.rowCount);
-            for (unsigned k = 0; k < info.m; ++k)
-                expectRow(rows[pack.firstRow + k], i % dxLanes::kCount, expected[k], joint.node[1].body != nullptr);
+            for (unsigned k = 0; k < info.m; ++k) expectRow(rows[pack.firstRow + k], lane, expected[k], joint.node[1].body != nullptr);
             for (unsigned k = info.m; k < pack.rowCount; ++k)
-                for (const dxLaneNumbers &numbers : rows[pack.firstRow + k].linear) EXPECT_EQ(numbers.lane[i % dxLanes::kCount], 0);
+                for (const dxLaneNumbers &numbers : rows[pack.firstRow + k].linear) EXPECT_EQ(numbers.lane[lane], 0);
             count += info.m;
-        }
+        });
         EXPECT_EQ(found, count);
     }
     EXPECT_GE(types.size(), 14u);

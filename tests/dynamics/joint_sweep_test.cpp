@@ -124,11 +124,6 @@ private:
     std::vector<dxJointLanes> m_rows;
 };
 
-template <class Test>
-void onAllInstructionSets(const Test &test) {
-    for (const std::int64_t set : instructionSets()) onInstructionSet(set, test);
-}
-
 TEST(JointSweep, FindsImpulsesThatSolveTheRows) {
     onAllInstructionSets([] {
         for (unsigned seed = 0; seed < 20; ++seed) {

@@ -9,8 +9,6 @@ namespace {
 
 using Row = dxConstraintRow;
 
-constexpr unsigned kMaxRows = 6;  // of a joint
-
 constexpr std::size_t kJointsPerJob = 32;  // some ten microseconds
 
 // From one row to the next, in the unit that joints count in.
@@ -38,11 +36,11 @@ void addUp(const dReal *columns, std::size_t stride, const Row *rows, unsigned c
 
 }  // namespace
 
-void dxReadJointRows(const dxIslandStep &step, dxJoint &joint, unsigned count, Row *rows) {
+void dxReadJointRows(const dxIslandStep &step, dxJoint &joint, unsigned firstRow, unsigned count, Row *rows) {
     const dReal perStep = dRecip(step.stepSize);
     const dxWorld &world = *step.world;
     for (unsigned i = 0; i < count; ++i) resetRow(rows[i], world.global_cfm);
-    int boundingRow[kMaxRows];
+    int boundingRow[Row::kMaxOfJoint];
     std::fill_n(boundingRow, count, Row::kNone);
 
     dReal *const first = reinterpret_cast<dReal *>(rows);
@@ -57,7 +55,7 @@ void dxReadJointRows(const dxIslandStep &step, dxJoint &joint, unsigned count, R
         row.lambda = 0;
         row.body[0] = body1;
         row.body[1] = body2;
-        row.boundingRow = boundingRow[i];
+        row.boundingRow = boundingRow[i] == Row::kNone ? Row::kNone : boundingRow[i] + static_cast<int>(firstRow);
     }
 }
 
@@ -104,9 +102,7 @@ void dxJointRows::readAll(Row *rows, std::size_t begin, std::size_t end) const {
 
 void dxJointRows::readJoint(Row *rows, const Joint &joint) const {
     Row *const own = rows + joint.firstRow;
-    dxReadJointRows(m_step, *joint.joint, rowsOf(joint), own);
-    for (unsigned i = 0; i < rowsOf(joint); ++i)
-        if (own[i].hasFrictionIndex()) own[i].boundingRow += static_cast<int>(joint.firstRow);
+    dxReadJointRows(m_step, *joint.joint, joint.firstRow, rowsOf(joint), own);
     if (hasCopy(joint)) copyJacobian(own, joint);
 }
 

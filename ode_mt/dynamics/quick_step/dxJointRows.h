@@ -4,9 +4,9 @@
 #include "dynamics/step/islands/dxIslandProblem.h"
 #include "dynamics/step/islands/dxIslandStep.h"
 
-// Asks one joint for its rows (dxJoint::getInfo2), `count` by getInfo1. Afterwards the rows' Jacobians, right-hand sides, cfm, limits and bodies are
-// set; bounding rows are counted from the joint's first row, and lambda is 0.
-void dxReadJointRows(const dxIslandStep &step, dxJoint &joint, unsigned count, dxConstraintRow *rows);
+// Asks one joint for its rows (dxJoint::getInfo2), `count` by getInfo1, of which the first one has the number `firstRow`. Afterwards the rows'
+// Jacobians, right-hand sides, cfm, limits, bodies and bounding rows are set, and lambda is 0.
+void dxReadJointRows(const dxIslandStep &step, dxJoint &joint, unsigned firstRow, unsigned count, dxConstraintRow *rows);
 
 class dxJointRows {
 public:

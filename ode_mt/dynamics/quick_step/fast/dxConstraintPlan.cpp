@@ -14,7 +14,7 @@
 namespace {
 
 // A chunk takes some ten microseconds of a sweep.
-constexpr unsigned kPacksPerChunk = 16, kJointPacksPerChunk = 16, kRowJointsPerChunk = 64;
+constexpr unsigned kPacksPerChunk = 16, kRowJointsPerChunk = 64;
 
 // Up to this number, one thread solves all joints in rows, before contacts in lanes.
 constexpr std::size_t kMaxSerial = 1000;
@@ -100,7 +100,7 @@ private:
 // pack have similar numbers of them.
 class PackPlaces {
 public:
-    static constexpr unsigned kMaxSize = std::max(dxContactPack::kMaxContacts, dxJointPack::kMaxRows);
+    static constexpr unsigned kMaxSize = std::max(dxContactPack::kMaxContacts, dxConstraintRow::kMaxOfJoint);
 
     struct Place {
         unsigned pack, lane;
@@ -183,9 +183,10 @@ private:
     void cutChunks();
     template <class AddChunks>
     void addPhase(const AddChunks &addChunks);
-    void cutPacks(unsigned begin, unsigned end);
-    void cutJointPacks(unsigned begin, unsigned end);
-    void cutRowJoints(unsigned begin, unsigned end);
+    void cut(unsigned begin, unsigned end, unsigned size, unsigned Chunk::*chunkBegin, unsigned Chunk::*chunkEnd);
+    void cutPacks(unsigned begin, unsigned end) { cut(begin, end, kPacksPerChunk, &Chunk::firstPack, &Chunk::endPack); }
+    void cutJointPacks(unsigned begin, unsigned end) { cut(begin, end, kPacksPerChunk, &Chunk::firstJointPack, &Chunk::endJointPack); }
+    void cutRowJoints(unsigned begin, unsigned end, unsigned size) { cut(begin, end, size, &Chunk::firstRowJoint, &Chunk::endRowJoint); }
 
     static bool fillsLanes(std::size_t contacts, std::size_t packedContacts) { return contacts > kMinLanes * packedContacts; }
 
@@ -370,7 +371,8 @@ void dxConstraintPlan::Maker::placeJoints() {
     m_plan.m_feedbackLanes = {};
     m_plan.m_packedRows = 0;
     const bool hasContacts = m_laneContacts + m_rowContacts != 0;
-    if (m_otherJoints.empty() || (hasContacts && m_rowContacts + m_otherJoints.size() <= kMaxSerial)) return;
+    if (hasContacts && m_rowContacts + m_otherJoints.size() <= kMaxSerial) return;
+    if (m_otherJoints.size() <= kPackRowTime) return;  // however few packs they are, rows take less time
     std::size_t rows = 0;
     PackPlaces places;
     for (OtherJoint &other : m_otherJoints) {
@@ -456,21 +458,20 @@ void dxConstraintPlan::Maker::cutChunks() {
     const auto allPacks = static_cast<unsigned>(m_plan.m_packs.size());
     const unsigned maxPhases = 3 + colors + allPacks / kPacksPerChunk;
     m_plan.m_phases = m_arena.takeList<Phase>(maxPhases);
-    const std::size_t jointPacks = m_plan.m_jointPacks.size();
-    const std::size_t full = allPacks / kPacksPerChunk + jointPacks / kJointPacksPerChunk + rows / kRowJointsPerChunk;
+    const std::size_t full = (allPacks + m_plan.m_jointPacks.size()) / kPacksPerChunk + rows / kRowJointsPerChunk;
     m_plan.m_chunks = m_arena.takeList<Chunk>(3 * maxPhases + full);
     const bool isSerial = m_plan.m_hasSerialRows;
-    if (isSerial && rows != 0) addPhase([&] { m_plan.m_chunks.push({0, 0, 0, 0, 0, rows}); });
+    if (isSerial) addPhase([&] { cutRowJoints(0, rows, rows); });
     for (unsigned color = 0; color < colors; ++color)
         addPhase([&] {
             if (color < m_packColors) cutPacks(m_firstPack[color], m_firstPack[color + 1]);
             if (color < m_jointPackColors) cutJointPacks(m_firstJointPack[color], m_firstJointPack[color + 1]);
-            if (!isSerial) cutRowJoints(m_firstRowJoint[color], m_firstRowJoint[color + 1]);
+            if (!isSerial) cutRowJoints(m_firstRowJoint[color], m_firstRowJoint[color + 1], kRowJointsPerChunk);
         });
     const unsigned packs = m_packColors == 0 ? allPacks : 0;
     for (unsigned i = 0; i < packs; i += kPacksPerChunk) addPhase([&] { cutPacks(i, std::min(i + kPacksPerChunk, packs)); });
     const unsigned overflow = isSerial ? rows : m_firstRowJoint[colors];
-    if (overflow != rows) addPhase([&] { m_plan.m_chunks.push({0, 0, 0, 0, overflow, rows}); });
+    addPhase([&] { cutRowJoints(overflow, rows, rows); });
 }
 
 template <class AddChunks>
@@ -481,14 +482,12 @@ void dxConstraintPlan::Maker::addPhase(const AddChunks &addChunks) {
     if (end != first) m_plan.m_phases.push({first, end});
 }
 
-void dxConstraintPlan::Maker::cutPacks(unsigned begin, unsigned end) {
-    for (unsigned i = begin; i < end; i += kPacksPerChunk) m_plan.m_chunks.push({i, std::min(i + kPacksPerChunk, end), 0, 0, 0, 0});
-}
-
-void dxConstraintPlan::Maker::cutJointPacks(unsigned begin, unsigned end) {
-    for (unsigned i = begin; i < end; i += kJointPacksPerChunk) m_plan.m_chunks.push({0, 0, i, std::min(i + kJointPacksPerChunk, end), 0, 0});
-}
-
-void dxConstraintPlan::Maker::cutRowJoints(unsigned begin, unsigned end) {
-    for (unsigned i = begin; i < end; i += kRowJointsPerChunk) m_plan.m_chunks.push({0, 0, 0, 0, i, std::min(i + kRowJointsPerChunk, end)});
+// Makes chunks of at most `size`, of the kind that the members name.
+void dxConstraintPlan::Maker::cut(unsigned begin, unsigned end, unsigned size, unsigned Chunk::*chunkBegin, unsigned Chunk::*chunkEnd) {
+    for (; begin < end; begin += size) {
+        Chunk chunk = {};
+        chunk.*chunkBegin = begin;
+        chunk.*chunkEnd = std::min(begin + size, end);
+        m_plan.m_chunks.push(chunk);
+    }
 }

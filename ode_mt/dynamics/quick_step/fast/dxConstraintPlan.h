@@ -76,6 +76,12 @@ public:
         for (Manifold &manifold : m_manifolds)
             if (manifold.isInRows()) visit(manifold);
     }
+    // Calls visit(joint, pack, lane) for joints in lanes.
+    template <class Visit>
+    void forLaneJoints(const Visit &visit) const {
+        for (unsigned i = 0; i < m_laneJoints.size(); ++i)
+            if (!m_laneJoints[i].isEmpty()) visit(m_laneJoints[i], i / dxLanes::kCount, i % dxLanes::kCount);
+    }
     bool hasContactLanes() const { return m_rowManifolds != m_manifolds.size(); }
     unsigned laneContacts() const { return m_laneContacts; }
     bool hasLanes() const { return hasContactLanes() || !m_laneJoints.empty(); }

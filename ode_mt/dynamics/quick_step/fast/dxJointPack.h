@@ -18,8 +18,6 @@ struct dxJointLanes {
 };
 
 struct dxJointPack : dxLaneBodies {
-    static constexpr unsigned kMaxRows = 6;
-
     unsigned firstRow;  // in the array of dxJointLanes
     unsigned rowCount;  // the largest number that a joint of the pack has
 };

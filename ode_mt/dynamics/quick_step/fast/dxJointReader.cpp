@@ -86,8 +86,8 @@ unsigned dxJointReader::readJoint(const LaneJoint &own, dxJointLanes *rows, unsi
     dxJoint &joint = jointOf(own);
     dxJoint::Info1 info;
     joint.getInfo1(&info);
-    Row read[dxJointPack::kMaxRows];
-    dxReadJointRows(m_step, joint, info.m, read);
+    Row read[Row::kMaxOfJoint];
+    dxReadJointRows(m_step, joint, 0, info.m, read);
     const bool isWarm = m_step.fastQuickStep->isWarm() && m_step.world->qs.w <= kMaxWarmRelaxation &&
                         dxKeptJointForces::areOf(joint, m_step.fastQuickStep->lastStep(), info.m);
     const dReal part = isWarm ? dxWarmStartFactor(m_step.world->global_erp) * m_step.stepSize : 0;

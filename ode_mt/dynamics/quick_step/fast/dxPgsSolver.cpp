@@ -283,10 +283,9 @@ void dxPgsSolver::sumByIsland(dxArenaArray<double> energies) const {
     m_plan.forLaneManifolds([&](const dxConstraintPlan::Manifold &manifold) {
         energies[m_plan.islandOf(manifold)] += static_cast<double>(m_packEnergies[manifold.pack].lane[manifold.lane]);
     });
-    const dxArenaArray<const dxConstraintPlan::LaneJoint> laneJoints = m_plan.laneJoints();
-    for (std::size_t i = 0; i < laneJoints.size(); ++i)
-        if (!laneJoints[i].isEmpty())
-            energies[m_plan.islandOf(laneJoints[i])] += static_cast<double>(m_jointPackEnergies[i / dxLanes::kCount].lane[i % dxLanes::kCount]);
+    m_plan.forLaneJoints([&](const dxConstraintPlan::LaneJoint &joint, unsigned pack, unsigned lane) {
+        energies[m_plan.islandOf(joint)] += static_cast<double>(m_jointPackEnergies[pack].lane[lane]);
+    });
     for (std::size_t i = 0; i < m_plan.rowJoints().size(); ++i)
         energies[m_plan.islandOf(m_plan.rowJoints()[i])] += m_rows.energies()[i];
 }
@@ -313,12 +312,11 @@ void dxPgsSolver::startColdWhereWorse(const dxIslandStep &step, double energy) {
         for (unsigned k = 0; k < manifold.contactCount; ++k)
             for (dxLaneNumbers &impulse : contacts[k].impulse) impulse.lane[manifold.lane] = 0;
     });
-    const dxArenaArray<const dxConstraintPlan::LaneJoint> laneJoints = m_plan.laneJoints();
-    for (std::size_t i = 0; i < laneJoints.size(); ++i) {
-        if (laneJoints[i].isEmpty() || !isWorse(m_plan.islandOf(laneJoints[i]))) continue;
-        const dxJointPack &pack = m_plan.jointPacks()[i / dxLanes::kCount];
-        for (unsigned k = 0; k < pack.rowCount; ++k) m_jointLanes[pack.firstRow + k].impulse.lane[i % dxLanes::kCount] = 0;
-    }
+    m_plan.forLaneJoints([&](const dxConstraintPlan::LaneJoint &joint, unsigned number, unsigned lane) {
+        if (!isWorse(m_plan.islandOf(joint))) return;
+        const dxJointPack &pack = m_plan.jointPacks()[number];
+        for (unsigned k = 0; k < pack.rowCount; ++k) m_jointLanes[pack.firstRow + k].impulse.lane[lane] = 0;
+    });
     for (unsigned i = 0; i < m_plan.rowJoints().size(); ++i)
         if (isWorse(m_plan.islandOf(m_plan.rowJoints()[i]))) m_rows.startCold(i);
 }

@@ -20,8 +20,6 @@ using dxSorKernels::dot6;
 using Row = dxConstraintRow;
 using Manifold = dxConstraintPlan::Manifold;
 
-constexpr std::size_t kMaxRows = 6;  // of a joint
-
 constexpr int kJacobianOf[2] = {Row::kBody1, Row::kBody2};
 
 // An infinite coefficient allows any force, as long as the row that bounds this one has a force.
@@ -76,7 +74,7 @@ dxRowJoints::dxRowJoints(const dxIslandStep &step, const dxConstraintPlan &plan)
 }
 
 void dxRowConstraints::reserve(const dxConstraintPlan &plan, dxStepArena &arena) {
-    const std::size_t joints = plan.rowJoints().size(), rows = kMaxRows * joints;
+    const std::size_t joints = plan.rowJoints().size(), rows = Row::kMaxOfJoint * joints;
     m_order.reserve(joints, rows, arena);
     m_firstRow = arena.take<unsigned>(joints + 1);
     m_energies = arena.take<double>(joints);

@@ -20,6 +20,7 @@ struct dxConstraintRow {
     enum Column { kBody1 = 0, kRhs = 6, kCfm = 7, kBody2 = 8, kLow = 14, kHigh = 15, kColumns = 16 };
     static constexpr int kBodyColumns = 6;
     static constexpr int kNone = -1;
+    static constexpr unsigned kMaxOfJoint = 6;  // rows
 
     // Of the problem. Joints write `jacobian` (dxJoint::getInfo2): linear and angular columns for each body.
     dReal jacobian[kColumns];
