@@ -35,6 +35,7 @@ enum class dxParallelStage : unsigned char {
     PgsSweep,             // fast QuickStep: warm start and sweeps: dxPgsSolver
     Motion,               // QuickStep: velocities and positions: dxBodyMotion
     BodySpace,            // fast dWorldStep: phases in body space: dxBodySpaceSolver
+    Fronts,               // fast dWorldStep: bilateral rows alone: dxBilateralSystem
     PanelSolve,           // exact step: solves of several right-hand sides: dxPanelSolve
     TransposedSolve,      // exact step: back substitution: dxSolveL1Transposed
     SparseProducts,       // exact step: products with rows in C: dxSparseRows
@@ -49,7 +50,7 @@ public:
     static constexpr std::array<const char *, kCount> kNames = {
         "world survey", "world preparation", "worlds", "island survey", "islands", "boxes", "cell-grid pairs", "Verlet changes",
         "Verlet candidates", "pair keys", "kept pair keys", "narrow-phase prefetch", "callbacks", "bodies", "joints", "right-hand sides",
-        "rows", "SOR plan", "SOR sweep", "PGS sweep", "motion", "body space", "panel solve", "transposed solve", "sparse products"};
+        "rows", "SOR plan", "SOR sweep", "PGS sweep", "motion", "body space", "fronts", "panel solve", "transposed solve", "sparse products"};
 
     static bool ranByTwo(dxParallelStage stage) { return flag(stage).load(std::memory_order_relaxed); }
     static void noteTwo(dxParallelStage stage) { flag(stage).store(true, std::memory_order_relaxed); }

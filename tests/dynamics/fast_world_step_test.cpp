@@ -209,12 +209,16 @@ TEST_F(FastWorldStep, MovesLargeStarsAndWheelsAsTheExactStep) {
     }
 }
 
-TEST_F(FastWorldStep, MovesANetAsTheExactStep) {
-    const Counts counts;
-    const auto velocities = velocitiesOfBoth([](JointWorld &world) { world.addNet(8); });
-    EXPECT_EQ(counts.newIslands(), 1u);
-    EXPECT_EQ(counts.newFallbacks(), 0u);
-    expectSame(velocities[0], velocities[1]);
+// Small ones by columns of blocks, large ones by fronts; of ball joints alone, and of several types.
+TEST_F(FastWorldStep, MovesNetsAsTheExactStep) {
+    for (const unsigned side : {8u, 22u})
+        for (const bool hasHinges : {false, true}) {
+            const Counts counts;
+            const auto velocities = velocitiesOfBoth([&](JointWorld &world) { world.addNet(side, hasHinges); });
+            EXPECT_EQ(counts.newIslands(), 1u);
+            EXPECT_EQ(counts.newFallbacks(), 0u);
+            expectSame(velocities[0], velocities[1]);
+        }
 }
 
 // Bodies that fall together have a b that is the small rest of large velocities, and no larger error than rounding leaves in these.
@@ -316,7 +320,8 @@ std::vector<std::uint64_t> stateAfterSteps(unsigned threads, const char *solver,
         others.addStar(rays);
         others.addWheel(rays);
     }
-    others.addNet(6);
+    for (const unsigned side : {6u, 24u})
+        for (const bool hasHinges : {false, true}) others.addNet(side, hasHinges);
     for (int i = 0; i < 5; ++i) {
         dWorldStep(robots.world(), kStepSize);
         dWorldStep(others.world(), kStepSize);

@@ -43,11 +43,13 @@ public:
     }
 
     // Falls.
-    void addNet(unsigned side) {
+    // On request with a few hinges, fewer than the net has freedoms.
+    void addNet(unsigned side, bool hasHinges = false) {
         const std::size_t first = m_bodies.size();
         for (unsigned i = 0; i < side * side; ++i) {
             const dBodyID knot = addBody(i % side, i / side, std::sin(dReal(i)));
-            if (i % side > 0) connect(knot, m_bodies[first + i - 1]);
+            const bool isHinge = hasHinges && i % 40 == 39;
+            if (i % side > 0) connect(knot, m_bodies[first + i - 1], isHinge ? dJointCreateHinge : dJointCreateBall);
             if (i >= side) connect(knot, m_bodies[first + i - side]);
         }
     }
@@ -71,11 +73,13 @@ private:
     }
 
     // In the middle between both; no other body: above.
-    void connect(dBodyID body, dBodyID other) {
+    void connect(dBodyID body, dBodyID other, decltype(&dJointCreateBall) create = dJointCreateBall) {
         const dReal *const here = dBodyGetPosition(body), *const there = other != nullptr ? dBodyGetPosition(other) : here;
-        const dJointID joint = dJointCreateBall(m_world, nullptr);
+        const dReal anchor[] = {(here[0] + there[0]) / 2, (here[1] + there[1]) / 2, (here[2] + there[2]) / 2 + (other == nullptr)};
+        const dJointID joint = create(m_world, nullptr);
         dJointAttach(joint, body, other);
-        dJointSetBallAnchor(joint, (here[0] + there[0]) / 2, (here[1] + there[1]) / 2, (here[2] + there[2]) / 2 + (other == nullptr));
+        const auto setAnchor = dJointGetType(joint) == dJointTypeHinge ? dJointSetHingeAnchor : dJointSetBallAnchor;
+        setAnchor(joint, anchor[0], anchor[1], anchor[2]);
     }
 
     const dWorldID m_world;

@@ -73,6 +73,28 @@ void playPacked(int columns, int rows, dWorldStepFunction *stepper, const char *
     for (int frame = 0; frame < 2; ++frame) boxes.frame();
 }
 
+// One island: a net of balls on ball joints.
+void playNet() {
+    constexpr int kSide = 30;
+    const dWorldID world = dWorldCreate();
+    dODE_MT_SetSolver(world, "fast");
+    std::vector<dBodyID> bodies;
+    const auto join = [&](int one, int other) {
+        const dJointID joint = dJointCreateBall(world, nullptr);
+        dJointAttach(joint, bodies[static_cast<std::size_t>(one)], bodies[static_cast<std::size_t>(other)]);
+        const dReal *const anchor = dBodyGetPosition(bodies[static_cast<std::size_t>(one)]);
+        dJointSetBallAnchor(joint, anchor[0], anchor[1], anchor[2]);
+    };
+    for (int i = 0; i < kSide * kSide; ++i) {
+        bodies.push_back(dBodyCreate(world));
+        dBodySetPosition(bodies.back(), i % kSide, i / kSide, 0);
+        if (i % kSide > 0) join(i - 1, i);
+        if (i >= kSide) join(i - kSide, i);
+    }
+    for (int frame = 0; frame < 2; ++frame) dWorldStep(world, dReal(0.01));
+    dWorldDestroy(world);
+}
+
 const Scene kScenes[] = {
     {"Chains", playChains, {Stage::IslandSurvey, Stage::Islands}},
     {"Worlds", playWorlds, {Stage::WorldSurvey, Stage::WorldPreparation, Stage::Worlds}},
@@ -86,6 +108,7 @@ const Scene kScenes[] = {
       Stage::Rows, Stage::SorPlan, Stage::SorSweep, Stage::Motion}},
     {"LargeIslandOfAFastWorld", [] { playPacked(24, 24, dWorldQuickStep, "fast"); }, {Stage::PgsSweep}},
     {"LargeIslandInBodySpace", [] { playPacked(16, 16, dWorldStep, "fast"); }, {Stage::BodySpace}},
+    {"LargeIslandOfJoints", playNet, {Stage::Fronts}},
     // In a row, so that each box touches few others and the factor has zeros to skip.
     {"LargeExactIsland",
      [] { playPacked(16, 1, dWorldStep); },

@@ -57,7 +57,7 @@ bool dxBilateralSolver::solveOrdered(const dxIslandStep &step, const dxWorldStep
     m_motions.resize(problem.bodyCount);
     dxFindInverseMasses(problem, m_inverseMasses.data());
     dxFindBodyMotions(problem, step.stepSize, m_motions.data(), dxPerStep::Product);
-    if (!dxSolveBilateral(m_system, m_inverseMasses.data(), m_motions.data())) return false;
+    if (!m_system.solve(step.runner(), m_inverseMasses.data(), m_motions.data())) return false;
     findAccelerations(problem);
     if (!isGood(problem)) return false;
     writeForces(problem);
@@ -97,7 +97,7 @@ void dxBilateralSolver::order(const dxWorldStepProblem &problem) {
         m_system.isBalls &= m_joints.back().isBall;
     }
     pairSides(problem.bodyCount);
-    takeMemory();
+    m_system.takeMemory();
     m_bodyCount = problem.bodyCount;
 }
 
@@ -140,17 +140,6 @@ void dxBilateralSolver::pairSides(unsigned bodyCount) {
 
     system.joints.resize(count);
     for (unsigned i = 0; i < count; ++i) system.joints[system.order.placeOf(i)] = m_joints[i];
-}
-
-void dxBilateralSolver::takeMemory() {
-    dxBilateralSystem &system = m_system;
-    const std::size_t joints = system.joints.size(), lines = kBodyLanes / system.lanes();  // columns in a dxBodyVector
-    const auto clear = [lines](dxBodyVectors &array, std::size_t columns) { array.assign((columns + lines - 1) / lines, dxBodyVector{}); };
-    clear(system.jacobian, 2 * joints * kBodyAxes);
-    clear(system.diagonal, joints * system.columns());
-    clear(system.below, std::size_t(system.order.blockCount()) * system.columns());
-    clear(system.vectors, joints * dxBilateralSystem::kVectors);
-    system.slotOf.assign(joints, 0);
 }
 
 // Returns false where cfm is negative. One that is no number makes the residual none.
@@ -197,7 +186,7 @@ void dxBilateralSolver::findAccelerations(const dxWorldStepProblem &problem) {
 }
 
 bool dxBilateralSolver::isGood(const dxWorldStepProblem &problem) {
-    const dxBilateralSizes sizes = dxFindBilateralResidual(m_system, m_accelerations.data());
+    const dxBilateralSizes sizes = m_system.findResidual(m_accelerations.data());
     return std::isfinite(sizes.residual) &&
            dxIsGoodResidual(kEliminationBound, sizes.residual, m_system.largestB, sizes.sum, problem, m_motions.data());
 }

@@ -2,9 +2,9 @@
 // (dxBilateralSystem.h). dxEliminatedLcp does the same for such islands in three times the time: whole frames of chain:250 take 1.5 times as long
 // with it, dWorldStep 1.8 to 2.5 times, which is why there are both.
 //
-// Threading: one island, one thread. Memory is kept from island to island, and the structure of the last one: where joints hold the same
-// bodies by as many rows, as in the next step of a chain, nothing is ordered again. Numbers are never kept, so that bits do not depend on
-// what was solved before.
+// Threading: one island, one thread, or the workers of a large island. Memory is kept from island to island, and the structure of the last
+// one: where joints hold the same bodies by as many rows, as in the next step of a chain, nothing is ordered again. Numbers are never kept,
+// so that bits do not depend on what was solved before.
 #pragma once
 
 #include <utility>
@@ -33,7 +33,6 @@ private:
     bool isOrdered(const dxWorldStepProblem &problem) const;
     void order(const dxWorldStepProblem &problem);
     void pairSides(unsigned bodyCount);
-    void takeMemory();
     bool readRows(const dxWorldStepProblem &problem);
     void findAccelerations(const dxWorldStepProblem &problem);
     bool isGood(const dxWorldStepProblem &problem);

@@ -9,6 +9,7 @@
 #include "dynamics/world_step/fast/dxBilateralSystem.h"
 #include "dynamics/world_step/fast/dxRowBlocks.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <type_traits>
@@ -52,11 +53,20 @@ public:
             });
             if (!isRegular) return false;
         }
-        m_system.largestB = 0;
-        for (double largest : m_largestB) m_system.largestB = HWY_MAX(m_system.largestB, largest);
+        m_system.largestB = largestB();
         for (unsigned joint = count; joint-- > 0;)
             withRows(m_system.joints[joint].rows, [&](auto rows) HWY_ATTR { substitute<decltype(rows)::value>(joint); });
         return true;
+    }
+
+    // The blocks of a front's joints, and b. Returns the largest |b|.
+    HWY_INLINE double makeFront(const dxFrontPlan::Front &front, const dxFrontNumbers &numbers, const dxInverseMass *inverseMasses,
+                                const dxBodyVector *motions) {
+        for (unsigned joint = front.begin; joint < front.end; ++joint)
+            withRows(m_system.joints[joint].rows, [&](auto rows) HWY_ATTR {
+                makeInFront<decltype(rows)::value>(joint, front, numbers, inverseMasses, motions);
+            });
+        return largestB();
     }
 
     HWY_INLINE dxBilateralSizes findResidual(const dxBodyVector *accelerations) {
@@ -86,6 +96,14 @@ public:
     }
 
 private:
+    static constexpr unsigned kDiagonal = kNoIndex;  // block
+
+    HWY_INLINE double largestB() const {
+        double all = 0;
+        for (const double largest : m_largestB) all = HWY_MAX(all, largest);
+        return all;
+    }
+
     // Calls work(rows), the number being a constant in it.
     template <class Work>
     static HWY_INLINE void withRows(unsigned rows, const Work &work) {
@@ -159,20 +177,25 @@ private:
     // Functions of their own: inlined for each pair of numbers of rows, the file would be much code.
     template <unsigned kRows>
     HWY_NOINLINE bool makeAndEliminate(unsigned joint, const dxInverseMass *inverseMasses, const dxBodyVector *motions) {
-        make<kRows>(joint, inverseMasses, motions);
+        const auto placeOf = [&](unsigned block) HWY_ATTR {
+            return block == kDiagonal ? columnsOf(m_system.diagonal, joint) : columnsOf(m_system.below, block);
+        };
+        make<kRows, false>(joint, inverseMasses, motions, placeOf, [](unsigned) {});
         return eliminate<kRows>(joint);
     }
 
-    // The joint's block of the diagonal, those below it, and b.
-    template <unsigned kRows>
-    HWY_INLINE void make(unsigned joint, const dxInverseMass *inverseMasses, const dxBodyVector *motions) {
+    // The joint's block of the diagonal, those below it, and b. placeOf(block) is where columns of a block are to be written, and block kDiagonal
+    // the diagonal's; isMade(block) is called when they are there. `kIsSparse`: without blocks that are fill, and not made.
+    template <unsigned kRows, bool kIsSparse, class PlaceOf, class IsMade>
+    HWY_INLINE void make(unsigned joint, const dxInverseMass *inverseMasses, const dxBodyVector *motions, const PlaceOf &placeOf,
+                         const IsMade &isMade) {
         const Tag d;
         const unsigned *const bodies = m_system.joints[joint].bodies;
         const unsigned sides = bodies[1] != kNoIndex ? 2 : 1;
         alignas(kCacheLine) double byMass[2][kBodyAxes * kLanes];
         for (unsigned side = 0; side < sides; ++side)
             multiplyByInverseMass<kLanes, !kBalls>(jacobianOf(2 * joint + side), inverseMasses[bodies[side]], byMass[side]);
-        double *const diagonal = columnsOf(m_system.diagonal, joint);
+        double *const diagonal = placeOf(kDiagonal);
         const double mass = inverseMasses[bodies[0]].mass + (sides > 1 ? inverseMasses[bodies[1]].mass : 0);
         for (unsigned lane = 0; lane < kLanes; lane += hn::Lanes(d)) {
             Lanes columns[kRows];
@@ -188,8 +211,10 @@ private:
         }
         for (unsigned row = 0; row < kRows; ++row)
             vectorOf(joint, System::kDiagonal)[row] = diagonal[row * kLanes + row] += vectorOf(joint, System::kSoftness)[row];
+        isMade(kDiagonal);
         for (unsigned block = m_order.firstBlock(joint); block < m_order.firstBlock(joint + 1); ++block) {
-            double *const below = columnsOf(m_system.below, block);
+            if (kIsSparse && m_system.firstPair[block] == m_system.firstPair[block + 1]) continue;
+            double *const below = placeOf(block);
             const double linear = linearOf(joint, block, inverseMasses);
             for (unsigned lane = 0; lane < kLanes; lane += hn::Lanes(d)) {
                 Lanes columns[kRows];
@@ -198,7 +223,26 @@ private:
                     addProducts<kRows>(byMass[m_system.pairs[i].side], jacobianOf(m_system.pairs[i].other), lane, columns);
                 for (unsigned row = 0; row < kRows; ++row) hn::Store(columns[row], d, below + row * kLanes + lane);
             }
+            isMade(block);
         }
+    }
+
+    template <unsigned kRows>
+    HWY_NOINLINE void makeInFront(unsigned joint, const dxFrontPlan::Front &front, const dxFrontNumbers &numbers,
+                                  const dxInverseMass *inverseMasses, const dxBodyVector *motions) {
+        alignas(kCacheLine) double columns[kRows * kLanes];
+        const unsigned place = joint - front.begin, firstColumn = m_system.frontPlan.rowOf(front, place);
+        const auto isMade = [&](unsigned block) {
+            const unsigned other = block == kDiagonal ? joint : m_order.rowOf(block);
+            const unsigned index = block == kDiagonal ? place : place + 1 + block - m_order.firstBlock(joint);  // in the front
+            const unsigned firstRow = m_system.frontPlan.rowOf(front, index);
+            for (unsigned column = 0; column < kRows; ++column)
+                for (unsigned row = 0; row < m_system.joints[other].rows; ++row)
+                    numbers.column(firstColumn + column)[firstRow + row] = columns[column * kLanes + row];
+        };
+        make<kRows, true>(joint, inverseMasses, motions, [&](unsigned) { return columns; }, isMade);
+        const double *const b = vectorOf(joint, System::kRightSide);
+        for (unsigned row = 0; row < kRows; ++row) numbers.column(firstColumn + row)[numbers.columns()] = b[row];
     }
 
     template <unsigned kRows>
@@ -332,6 +376,12 @@ bool solveBilateral(dxBilateralSystem &system, const dxInverseMass *inverseMasse
                           : BilateralSystem<false>(system).solve(inverseMasses, motions);
 }
 
+double makeFront(dxBilateralSystem &system, const dxFrontPlan::Front &front, const dxFrontNumbers &numbers, const dxInverseMass *inverseMasses,
+                 const dxBodyVector *motions) {
+    return system.isBalls ? BilateralSystem<true>(system).makeFront(front, numbers, inverseMasses, motions)
+                          : BilateralSystem<false>(system).makeFront(front, numbers, inverseMasses, motions);
+}
+
 dxBilateralSizes findBilateralResidual(dxBilateralSystem &system, const dxBodyVector *accelerations) {
     return system.isBalls ? BilateralSystem<true>(system).findResidual(accelerations)
                           : BilateralSystem<false>(system).findResidual(accelerations);
@@ -344,14 +394,64 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace dxFastStepKernels {
 HWY_EXPORT(solveBilateral);
+HWY_EXPORT(makeFront);
 HWY_EXPORT(findBilateralResidual);
 }  // namespace dxFastStepKernels
 
-bool dxSolveBilateral(dxBilateralSystem &system, const dxInverseMass *inverseMasses, const dxBodyVector *motions) {
-    return HWY_DYNAMIC_DISPATCH(dxFastStepKernels::solveBilateral)(system, inverseMasses, motions);
+namespace {
+
+// From this many products of two blocks of a column on, for each joint, fronts take less time: nets of 18 by 18 joints and more.
+constexpr double kMinProductsOfJoint = 70;
+
+double productsOf(const dxEliminationOrder &order) {
+    double products = 0;
+    for (unsigned joint = 0; joint < order.bodyCount(); ++joint) {
+        const double blocks = order.firstBlock(joint + 1) - order.firstBlock(joint);
+        products += blocks * (blocks + 1) / 2;
+    }
+    return products;
 }
 
-dxBilateralSizes dxFindBilateralResidual(dxBilateralSystem &system, const dxBodyVector *accelerations) {
-    return HWY_DYNAMIC_DISPATCH(dxFastStepKernels::findBilateralResidual)(system, accelerations);
+}  // namespace
+
+void dxBilateralSystem::takeMemory() {
+    const std::size_t count = joints.size(), lines = kBodyLanes / lanes();  // columns in a dxBodyVector
+    const auto clear = [lines](dxBodyVectors &array, std::size_t columns) { array.assign((columns + lines - 1) / lines, dxBodyVector{}); };
+    clear(jacobian, 2 * count * kBodyAxes);
+    clear(vectors, count * kVectors);
+    isInFronts = productsOf(order) >= kMinProductsOfJoint * double(count);
+    if (isInFronts) {
+        rowsOf.clear();
+        for (const dxBilateralJoint &joint : joints) rowsOf.push_back(joint.rows);
+        frontPlan.make(order, rowsOf);
+        fronts.shape(frontPlan);
+        return;
+    }
+    clear(diagonal, count * columns());
+    clear(below, std::size_t(order.blockCount()) * columns());
+    slotOf.assign(count, 0);
+}
+
+bool dxBilateralSystem::solve(dxTaskRunner &runner, const dxInverseMass *inverseMasses, const dxBodyVector *motions) {
+    if (!isInFronts) return HWY_DYNAMIC_DISPATCH(dxFastStepKernels::solveBilateral)(*this, inverseMasses, motions);
+    phases.reserve(runner.workers());
+    fronts.reserve(runner.workers());
+    largestBOf.assign(runner.workers(), 0);
+    bool isRegular = false;
+    phases.run(dxParallelStage::Fronts, runner, [&] {
+        isRegular = fronts.factorise(phases, [&](const dxFrontPlan::Front &front, const dxFrontNumbers &numbers, unsigned share) {
+            const double largest = HWY_DYNAMIC_DISPATCH(dxFastStepKernels::makeFront)(*this, front, numbers, inverseMasses, motions);
+            largestBOf[share] = std::max(largestBOf[share], largest);
+        });
+        if (isRegular) fronts.substitute(phases);
+    });
+    largestB = *std::max_element(largestBOf.begin(), largestBOf.end());
+    for (unsigned joint = 0; joint < joints.size() && isRegular; ++joint)
+        std::copy_n(fronts.solutionOf(joint), joints[joint].rows, vectorOf(joint, kForce));
+    return isRegular;
+}
+
+dxBilateralSizes dxBilateralSystem::findResidual(const dxBodyVector *accelerations) {
+    return HWY_DYNAMIC_DISPATCH(dxFastStepKernels::findBilateralResidual)(*this, accelerations);
 }
 #endif
