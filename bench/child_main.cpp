@@ -97,7 +97,13 @@ bench::StageTimes timedFrame(scenes::Scene &scene) {
             seconds(collided, stepped), seconds(stepped, finished), times.callbacks};
 }
 
-bench::Batch runBatch(scenes::Scene &scene, const bench::LibraryProbe &library, int frames) {
+bench::SerialWork workOfLastFrame(const scenes::Scene &scene, const bench::LibraryProbe &library) {
+    bench::SerialWork work;
+    for (const dWorldID world : scene.inventory().worlds) work += library.workOf(world);
+    return work;
+}
+
+bench::Batch runBatch(scenes::Scene &scene, const bench::LibraryProbe &library, int frames, bool serialShare) {
     bench::Batch batch;
     batch.frames = frames;
     messageCount = 0;
@@ -106,6 +112,7 @@ bench::Batch runBatch(scenes::Scene &scene, const bench::LibraryProbe &library, 
         const bench::StageTimes times = timedFrame(scene);
         batch.seconds += times;
         batch.frameTimes.add(bench::secondsOf(times, bench::Part::Frame));
+        if (serialShare) batch.work += workOfLastFrame(scene, library);
     }
     batch.sharedSteps = library.sharedSteps() - sharedBefore;
     batch.messages = messageCount;
@@ -119,7 +126,7 @@ std::unique_ptr<scenes::Scene> load(const std::string &world, bool ignoreUnsuppo
     return bench::openWorld(world, {ignoreUnsupported}, warnings);
 }
 
-void serve(const std::string &world, unsigned poolThreads, bool ignoreUnsupported) {
+void serve(const std::string &world, unsigned poolThreads, bool ignoreUnsupported, bool serialShare) {
     const bench::LibraryProbe library = bench::probeLibrary();
     std::vector<std::string> warnings;
     const std::unique_ptr<scenes::Scene> scene = load(world, ignoreUnsupported, warnings);
@@ -128,7 +135,7 @@ void serve(const std::string &world, unsigned poolThreads, bool ignoreUnsupporte
 
     bench::print(bench::writeReady(describe(library, *scene, warnings)) + "\n");
     for (std::string line; std::getline(std::cin, line);)
-        bench::print(bench::writeBatch(runBatch(*scene, library, bench::readRequest(line))) + "\n");
+        bench::print(bench::writeBatch(runBatch(*scene, library, bench::readRequest(line), serialShare)) + "\n");
 }
 
 }  // namespace
@@ -138,11 +145,12 @@ int main(int argc, char **argv) {
     CLI::App app("Runs one world on one engine for odemt_bench.");
     std::string world;
     unsigned poolThreads = 0;
-    bool ignoreUnsupported = false, timeCallbacks = false;
+    bool ignoreUnsupported = false, timeCallbacks = false, serialShare = false;
     app.add_option("--world", world, "SDF world or scene")->required();
     app.add_option("--pool", poolThreads, "threads of upstream's own pool; 0: none")->check(bench::wholeNumberIn(0, 1024));
     app.add_flag("--ignore-unsupported", ignoreUnsupported, "leave out what the SDF loader does not know");
     app.add_flag("--time-callbacks", timeCallbacks, "time near-callbacks apart");
+    app.add_flag("--serial-share", serialShare, "tell which part of the work is one thread's");
     int code = 0;
     if (!bench::readCommandLine(app, [&] { app.parse(argc, argv); }, code)) return bench::exitCodeAfterOutput(code);
 
@@ -150,7 +158,7 @@ int main(int argc, char **argv) {
     dInitODE2(0);
     dSetMessageHandler(countMessage);
     try {
-        serve(world, poolThreads, ignoreUnsupported);
+        serve(world, poolThreads, ignoreUnsupported, serialShare);
     } catch (const std::exception &error) {
         if (!(std::cout << bench::writeError(error.what()) << std::endl)) bench::printError(error.what());
         code = 1;

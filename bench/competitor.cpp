@@ -61,6 +61,7 @@ std::vector<std::string> ChildCompetitor::command() const {
     if (engine().kind == Engine::Kind::StockPool) command.insert(command.end(), {"--pool", engine().threads});
     if (m_settings.ignoreUnsupported) command.push_back("--ignore-unsupported");
     if (m_settings.timeCallbacks) command.push_back("--time-callbacks");
+    if (m_settings.serialShare) command.push_back("--serial-share");
     return command;
 }
 

@@ -31,7 +31,7 @@ struct ChildSettings {
     std::string oursFolder;                                     // of ours
     std::chrono::milliseconds limit = std::chrono::minutes(2);  // for one answer
     bool ignoreUnsupported = false;                             // elements of an SDF world
-    bool timeCallbacks = false;
+    bool timeCallbacks = false, serialShare = false;
     std::string traceFile;  // of ours; empty: none
     std::function<void()> whileLoading;  // called some times a second
 };

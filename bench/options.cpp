@@ -148,6 +148,9 @@ void addOptions(CLI::App &app, Words &words, Options &options) {
                  "leave out elements of an SDF world that the loader does not know");
     app.add_flag("--time-callbacks", options.child.timeCallbacks,
                  "time near-callbacks separately; the time of reading the clock is subtracted");
+    app.add_flag("--serial-share", options.child.serialShare,
+                 "tell which part of the work of ours is one thread's, and how much more cores can gain at most; frames are recorded, which takes a "
+                 "little time");
     app.add_flag("--quick", words.isQuick, "a first impression of the four benchmark worlds in half a minute: stock, and ours on all cores");
     app.add_option("--compare", options.compared, "compare two JSON files of earlier runs, the older one first, and measure nothing")
         ->expected(2)

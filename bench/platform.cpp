@@ -1,6 +1,7 @@
 #include "platform.h"
 
 #include <dlfcn.h>
+#include <ode/ode_MT.h>
 
 #include <climits>
 #include <cstdlib>
@@ -97,6 +98,15 @@ std::string LibraryProbe::callbacks() const { return callText("dODE_MT_GetCallba
 int LibraryProbe::gridCells() const { return call<int>("dODE_MT_GetGridCells"); }
 unsigned LibraryProbe::sharedSteps() const {
     return call<unsigned>("dODE_MT_GetParallelSteps") + call<unsigned>("dODE_MT_GetTeamSteps");
+}
+
+SerialWork LibraryProbe::workOf(dWorldID world) const {
+    void *const address = dlsym(RTLD_DEFAULT, "dODE_MT_GetWorldStatistics");
+    if (address == nullptr) return {};
+    dODE_MT_WorldStatistics last{};
+    last.size = sizeof last;
+    if (reinterpret_cast<decltype(&dODE_MT_GetWorldStatistics)>(address)(world, &last) == 0) return {};
+    return {last.collisionTime + last.stepTime - last.sharedTime, last.workTime};
 }
 
 LibraryProbe probeLibrary() {

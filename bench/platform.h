@@ -1,8 +1,12 @@
 // What measurements run on: the machine, and which libode.so.8, as a file and in this process.
 #pragma once
 
+#include <ode/common.h>
+
 #include <iosfwd>
 #include <string>
+
+#include "serial_share.h"
 
 namespace bench {
 
@@ -52,6 +56,9 @@ struct LibraryProbe {
     std::string callbacks() const;   // the callback policy
     int gridCells() const;           // 0: tuned
     unsigned sharedSteps() const;    // number of parallel steps, by islands or of a large island, since the process started
+
+    // Of a world's last frame; of none before the first call, from which on the library records frames. Nothing with Debian's.
+    SerialWork workOf(dWorldID world) const;
 };
 
 LibraryProbe probeLibrary();

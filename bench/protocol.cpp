@@ -102,7 +102,9 @@ std::string writeBatch(const Batch &b) {
                    {"hash", hashText(b.hash)},
                    {"contacts", b.contacts},
                    {"messages", b.messages},
-                   {"sharedSteps", b.sharedSteps}}}});
+                   {"sharedSteps", b.sharedSteps},
+                   {"aloneSeconds", b.work.alone},
+                   {"sharedSeconds", b.work.shared}}}});
 }
 
 Batch readBatch(const std::string &line) {
@@ -119,6 +121,8 @@ Batch readBatch(const std::string &line) {
         from.at("contacts").get_to(b.contacts);
         from.at("messages").get_to(b.messages);
         from.at("sharedSteps").get_to(b.sharedSteps);
+        from.at("aloneSeconds").get_to(b.work.alone);
+        from.at("sharedSeconds").get_to(b.work.shared);
         return b;
     });
 }

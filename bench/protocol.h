@@ -9,6 +9,7 @@
 #pragma once
 
 #include "frame_times.h"
+#include "serial_share.h"
 #include "platform.h"
 
 #include <cstdint>
@@ -38,6 +39,7 @@ struct Batch {
     std::size_t contacts = 0;  // in the last frame
     unsigned messages = 0;     // of ODE, in this batch
     unsigned sharedSteps = 0;  // parallel steps of this batch, of our library
+    SerialWork work;           // of our library, if it is asked for it
 };
 
 std::string writeReady(const Ready &ready);

@@ -64,6 +64,7 @@ json toJson(const EngineResult &engine, const EngineSummary &summary, bool withA
             {"realTimeFactor", summary.realTimeFactor},
             {"realTimeSamples", samplesToJson(realTimeSamples(engine))},
             {"sharedSteps", summary.sharedSteps},
+            {"serialShare", summary.work.isKnown() ? json(summary.work.share()) : json()},
             {"odeMessages", summary.messages},
             {"hash", hashText(summary.hash)},
             {"state", nameOf(summary.check)},

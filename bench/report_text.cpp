@@ -127,6 +127,7 @@ std::string notes(const WorldResult &result, const std::vector<EngineSummary> &s
         if (engine.firstDifference >= 0)
             text += format("WRONG RESULT: %s: state differs after frame %ld or before\n", name.c_str(),
                            engine.firstDifference);
+        if (summaries[i].work.isKnown()) text += name + ": " + gainText(summaries[i].work.share()) + '\n';
         if (summaries[i].messages)
             text += format("note: %s: %u messages of ODE\n", name.c_str(), summaries[i].messages);
     }

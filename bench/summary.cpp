@@ -36,6 +36,7 @@ void addTotals(const EngineResult &engine, EngineSummary &summary) {
     for (const Batch &batch : engine.batches) {
         frames += batch.frames;
         shared += batch.sharedSteps;
+        summary.work += batch.work;
         seconds += secondsOf(batch.seconds, Part::Frame);
         summary.messages += batch.messages;
     }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "race.h"
+#include "serial_share.h"
 #include "support/statistics.h"
 
 namespace bench {
@@ -32,6 +33,7 @@ struct EngineSummary {
     std::array<PartSummary, kParts.size()> parts;  // by Part
     double realTimeFactor = 0;                     // simulated time / wall-clock time
     double sharedSteps = 0;                        // share of steps that ours gave to several threads
+    SerialWork work;                               // of ours, if it was asked for it
     unsigned messages = 0;                         // of ODE
     std::uint64_t hash = 0;                        // of the last state
     StateCheck check = StateCheck::Unknown;

@@ -5,6 +5,7 @@
 
 #include "settings/dxSerialReason.h"
 #include "support/text.h"
+#include "serial_share.h"
 #include "table.h"
 
 namespace top {
@@ -36,9 +37,6 @@ std::string parts(double whole, const std::vector<std::pair<const char *, double
     }
     return text;
 }
-
-// How many times as fast a frame can become (Amdahl's law).
-double bound(double serialShare, unsigned threads) { return 1 / (serialShare + (1 - serialShare) / threads); }
 
 std::string why(const char *what, unsigned threads, int reason, double parallel) {
     const std::string often = parallel >= kMinShown ? print(" (on several in %.0f %%)", 100 * parallel) : "";
@@ -96,10 +94,7 @@ std::vector<std::string> detailsOf(const FrameRates &rates) {
     lines.push_back("           " + why("islands", last.stepThreads, last.stepReason, rates.parallelSteps));
     if (last.remoteWorkers + last.remoteWorkersLost > 0 || last.allRemoteIslands + last.allReturnedIslands > 0)
         lines.push_back("           " + elsewhere(last));
-    if (last.workTime > 0)
-        lines.push_back(print("  share    %s of the work is one thread's: with 4, 8, 16 cores at most %.1f, %.1f, %.1f times as fast as with one",
-                              percent(last.serialShare).c_str(), bound(last.serialShare, 4), bound(last.serialShare, 8),
-                              bound(last.serialShare, 16)));
+    if (last.workTime > 0) lines.push_back("  share    " + bench::gainText(last.serialShare));
     if (last.waitTime > 0) lines.push_back("  waiting  " + milliseconds(last.waitTime) + " ms for other threads");
     return lines;
 }

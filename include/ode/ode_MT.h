@@ -204,7 +204,7 @@ ODE_API const char *dODE_MT_GetAlgorithm(void);
  * digits wherever the equations determine them. Forces of redundant joints and contacts (dJointFeedback) may be distributed in
  * another way where cfm is 0.
  *
- * dWorldQuickStep, "fast": sweeps begin with the forces of the last step and take eight contacts at a time
+ * dWorldQuickStep, "fast": sweeps begin with three quarters of the forces of the last step, and solve sixteen pairs of bodies at a time
  * (docs/fast.md). The number of iterations (dWorldSetQuickStepNumIterations) is an upper bound; the result is another approximation
  * than upstream's of the same solution. No random numbers are drawn.
  *
@@ -232,7 +232,8 @@ ODE_API const char *dODE_MT_GetSolver(dWorldID world);
 /**
  * Says how early dWorldQuickStep of a "fast" world may end: before the number of iterations is reached, but after two fifths of it, as
  * soon as a sweep changes the forces by no more than this part of what they change in all (both in terms of energy, the square root of
- * it). 0: not before they change no more. The default is 1e-9, at which forces do not change any more but by rounding.
+ * it). 0: not before they change no more. The default is 1e-9. Impulses of contacts are found in single precision, so where bodies slide,
+ * a tolerance below 1e-4 ends nothing.
  *
  * May be called from any thread, but not while the world is stepped.
  *

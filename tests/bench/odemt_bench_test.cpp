@@ -109,6 +109,20 @@ TEST_F(OdemtBench, TimesCallbacksApart) {
     }
 }
 
+// Islands of the stacks are shared, the search for them is not.
+TEST_F(OdemtBench, TellsTheSerialShare) {
+    const Outcome outcome = run("--worlds stacks:20 --engines stock,ours:2 --frames 100 --serial-share" + files());
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.output;
+    EXPECT_NE(outcome.output.find("\nours:2: "), std::string::npos) << outcome.output;
+    EXPECT_NE(outcome.output.find(" % of the work is one thread's: with 4, 8, 16 cores at most "), std::string::npos) << outcome.output;
+    std::ifstream file(folder + "/b.json");
+    const auto json = nlohmann::json::parse(file);
+    EXPECT_TRUE(json["worlds"][0]["engines"][0]["serialShare"].is_null());
+    const double share = json["worlds"][0]["engines"][1]["serialShare"].get<double>();
+    EXPECT_GT(share, 0.01);
+    EXPECT_LT(share, 0.9);
+}
+
 TEST_F(OdemtBench, PrintsTimeOverSizeWithoutStock) {
     const Outcome outcome = run("--worlds stacks:2..8,sap --engines ours:0,ours:2 --frames 20" + files());
     EXPECT_EQ(outcome.exitCode, 0) << outcome.output;

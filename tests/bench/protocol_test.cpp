@@ -16,6 +16,7 @@ TEST(Protocol, ABatchArrivesAsItWasSent) {
     sent.contacts = 12;
     sent.messages = 3;
     sent.sharedSteps = 5;
+    sent.work = {0.25, 0.75};
     const Batch got = readBatch(writeBatch(sent));
     EXPECT_EQ(got.frames, 7);
     EXPECT_EQ(got.seconds.control, sent.seconds.control);
@@ -28,6 +29,8 @@ TEST(Protocol, ABatchArrivesAsItWasSent) {
     EXPECT_EQ(got.contacts, 12u);
     EXPECT_EQ(got.messages, 3u);
     EXPECT_EQ(got.sharedSteps, 5u);
+    EXPECT_EQ(got.work.alone, 0.25);
+    EXPECT_EQ(got.work.shared, 0.75);
 }
 
 TEST(Protocol, AReadyArrivesAsItWasSent) {
