@@ -111,9 +111,9 @@ TEST_F(OdemtBench, TimesCallbacksApart) {
 
 // Islands of the stacks are shared, the search for them is not.
 TEST_F(OdemtBench, TellsTheSerialShare) {
-    const Outcome outcome = run("--worlds stacks:20 --engines stock,ours:2 --frames 100 --serial-share" + files());
+    const Outcome outcome = run("--worlds stacks:20 --engines stock,ours:2/lcp --frames 100 --serial-share" + files());
     EXPECT_EQ(outcome.exitCode, 0) << outcome.output;
-    EXPECT_NE(outcome.output.find("\nours:2: "), std::string::npos) << outcome.output;
+    EXPECT_NE(outcome.output.find("\nours:2/lcp: "), std::string::npos) << outcome.output;
     EXPECT_NE(outcome.output.find(" % of the work is one thread's: with 4, 8, 16 cores at most "), std::string::npos) << outcome.output;
     std::ifstream file(folder + "/b.json");
     const auto json = nlohmann::json::parse(file);
