@@ -9,8 +9,8 @@
 #pragma once
 
 #include "frame_times.h"
-#include "serial_share.h"
 #include "platform.h"
+#include "serial_share.h"
 
 #include <cstdint>
 #include <string>

@@ -4,8 +4,8 @@
 #include <cstdio>
 
 #include "settings/dxSerialReason.h"
-#include "support/text.h"
 #include "serial_share.h"
+#include "support/text.h"
 #include "table.h"
 
 namespace top {
