@@ -201,8 +201,8 @@ ODE_API const char *dODE_MT_GetAlgorithm(void);
  * with upstream's bits) or "fast" (the same equations of the same joints, solved in another way).
  *
  * dWorldStep, "fast": hundreds of times faster for large islands (docs/fast.md). Velocities are those of "exact" to about nine
- * digits wherever the equations determine them. Forces of redundant joints and contacts (dJointFeedback) may be distributed in
- * another way where cfm is 0.
+ * digits wherever the equations determine them well (docs/contracts.md, F2). Forces of redundant joints and contacts (dJointFeedback)
+ * may be distributed in another way where cfm is 0.
  *
  * dWorldQuickStep, "fast": sweeps begin with three quarters of the forces of the last step, and solve sixteen pairs of bodies at a time
  * (docs/fast.md). The number of iterations (dWorldSetQuickStepNumIterations) is an upper bound; the result is another approximation

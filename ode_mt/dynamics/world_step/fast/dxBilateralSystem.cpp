@@ -400,8 +400,17 @@ HWY_EXPORT(findBilateralResidual);
 
 namespace {
 
-// From this many products of two blocks of a column on, for each joint, fronts take less time: nets of 18 by 18 joints and more.
-constexpr double kMinProductsOfJoint = 70;
+// From this many products of two blocks of a column on, for each joint, fronts take less time: nets of 19 by 19 balls on ball joints. Columns of
+// other joints have eight lanes, which those of six rows fill best: for these it is nets of 40 by 40.
+constexpr double kMinProductsOfBalls = 75, kMinProductsOfOthers = 90, kMinProductsOfSixRows = 190;
+
+double minProductsOf(const dxBilateralSystem &system) {
+    if (system.isBalls) return kMinProductsOfBalls;
+    double rows = 0;
+    for (const dxBilateralJoint &joint : system.joints) rows += joint.rows;
+    const double beyondFive = std::max(rows / double(system.joints.size()) - 5, 0.0);
+    return kMinProductsOfOthers + (kMinProductsOfSixRows - kMinProductsOfOthers) * beyondFive;
+}
 
 double productsOf(const dxEliminationOrder &order) {
     double products = 0;
@@ -419,7 +428,7 @@ void dxBilateralSystem::takeMemory() {
     const auto clear = [lines](dxBodyVectors &array, std::size_t columns) { array.assign((columns + lines - 1) / lines, dxBodyVector{}); };
     clear(jacobian, 2 * count * kBodyAxes);
     clear(vectors, count * kVectors);
-    isInFronts = productsOf(order) >= kMinProductsOfJoint * double(count);
+    isInFronts = productsOf(order) >= minProductsOf(*this) * double(count);
     if (isInFronts) {
         rowsOf.clear();
         for (const dxBilateralJoint &joint : joints) rowsOf.push_back(joint.rows);
