@@ -299,7 +299,7 @@ void dxFrontFactor::eliminate(const dxFrontNumbers &numbers, dxPhaseRunner &phas
         const unsigned count = columns - end;
         const bool isShared = double(count) * count / 2 * (end - begin) >= kMinShared;
         const unsigned parts = isShared && phases.threads() > 1 ? kPartsOfThread * phases.threads() : 1;
-        // Columns become shorter: sqrt(1 - part/parts) of them have what is left behind so many parts.
+        // Columns become shorter: what lies behind the first `part` parts of the work is in the last sqrt(1 - part/parts) of them.
         const auto cut = [&](unsigned part) { return columns - static_cast<unsigned>(count * std::sqrt(1 - double(part) / parts)); };
         phases.forChunks(parts, [&](unsigned part, unsigned) {
             HWY_DYNAMIC_DISPATCH(dxFastStepKernels::subtractGroup)(numbers, begin, end, cut(part), cut(part + 1));
