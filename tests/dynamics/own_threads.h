@@ -1,10 +1,14 @@
 // Runs the blocks of a job on threads of its own, one for each block, so that all of them take part.
 #pragma once
 
+#include <gtest/gtest.h>
+
+#include <string>
 #include <thread>
 #include <vector>
 
 #include "threading/dxTaskRunner.h"
+#include "threading/pool/dxPhaseRunner.h"
 
 class OwnThreads final : public dxTaskRunner {
 public:
@@ -20,3 +24,15 @@ public:
 private:
     const unsigned m_count;
 };
+
+// Calls body(phases), the control of phases, for several numbers of threads that share them.
+template <class Body>
+void onSeveralThreads(const Body &body) {
+    for (const unsigned threads : {1u, 2u, 3u, 5u, 8u, 16u}) {
+        SCOPED_TRACE(std::to_string(threads) + " threads");
+        dxPhaseRunner phases;
+        phases.reserve(threads);
+        OwnThreads runner(threads);
+        phases.run(dxParallelStage::Count, runner, [&] { body(phases); });
+    }
+}

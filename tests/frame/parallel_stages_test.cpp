@@ -17,6 +17,7 @@
 #include "OdeSession.h"
 #include "PackedWorld.h"
 #include "SphereRows.h"
+#include "../dynamics/joint_world.h"
 #include "settings/dxWorkersRunner.h"
 #include "threading/dxParallelStage.h"
 #include "threading/dxSchedulePoints.h"
@@ -73,26 +74,11 @@ void playPacked(int columns, int rows, dWorldStepFunction *stepper, const char *
     for (int frame = 0; frame < 2; ++frame) boxes.frame();
 }
 
-// One island: a net of balls on ball joints.
+// One island.
 void playNet() {
-    constexpr int kSide = 30;
-    const dWorldID world = dWorldCreate();
-    dODE_MT_SetSolver(world, "fast");
-    std::vector<dBodyID> bodies;
-    const auto join = [&](int one, int other) {
-        const dJointID joint = dJointCreateBall(world, nullptr);
-        dJointAttach(joint, bodies[static_cast<std::size_t>(one)], bodies[static_cast<std::size_t>(other)]);
-        const dReal *const anchor = dBodyGetPosition(bodies[static_cast<std::size_t>(one)]);
-        dJointSetBallAnchor(joint, anchor[0], anchor[1], anchor[2]);
-    };
-    for (int i = 0; i < kSide * kSide; ++i) {
-        bodies.push_back(dBodyCreate(world));
-        dBodySetPosition(bodies.back(), i % kSide, i / kSide, 0);
-        if (i % kSide > 0) join(i - 1, i);
-        if (i >= kSide) join(i - kSide, i);
-    }
-    for (int frame = 0; frame < 2; ++frame) dWorldStep(world, dReal(0.01));
-    dWorldDestroy(world);
+    JointWorld net("fast");
+    net.addNet(30);
+    for (int frame = 0; frame < 2; ++frame) dWorldStep(net.world(), dReal(0.01));
 }
 
 const Scene kScenes[] = {

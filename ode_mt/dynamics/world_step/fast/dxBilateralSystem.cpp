@@ -430,7 +430,7 @@ void dxBilateralSystem::takeMemory() {
     clear(vectors, count * kVectors);
     isInFronts = productsOf(order) >= minProductsOf(*this) * double(count);
     if (isInFronts) {
-        rowsOf.clear();
+        std::vector<unsigned> rowsOf;
         for (const dxBilateralJoint &joint : joints) rowsOf.push_back(joint.rows);
         frontPlan.make(order, rowsOf);
         fronts.shape(frontPlan);

@@ -61,7 +61,6 @@ struct dxBilateralSystem {
 
     // Whether the system is factorised by fronts: few joints, chains and trees are by columns of blocks.
     bool isInFronts = false;
-    std::vector<unsigned> rowsOf;  // by joint
     dxFrontPlan frontPlan;
 
     // Requires all of the structure before. Decides how it is factorised, and clears all arrays.

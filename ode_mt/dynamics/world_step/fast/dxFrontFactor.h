@@ -56,23 +56,19 @@ public:
     bool factorise(dxPhaseRunner &phases, const Make &make) {
         m_isRegular.store(true, std::memory_order_relaxed);
         const auto &chunks = m_plan->chunks();
-        phases.forChunks(static_cast<unsigned>(chunks.size()), [&](unsigned chunk, unsigned share) {
-            for (unsigned i = chunks[chunk].begin; i < chunks[chunk].end && isRegular(); ++i) {
-                const dxFrontNumbers numbers = begin(i, share);
-                make(m_plan->fronts()[i], numbers, share);
-                assemble(i, numbers);
-                eliminate(numbers);
-                finish(i, numbers);
-            }
-        });
-        for (std::size_t i = 0; i < m_plan->top().size() && isRegular(); ++i) {
-            const unsigned front = m_plan->top()[i];
-            const dxFrontNumbers numbers = begin(front, 0);
-            make(m_plan->fronts()[front], numbers, 0);
+        const auto factoriseFront = [&](unsigned front, unsigned share, const auto &eliminateFront) {
+            const dxFrontNumbers numbers = begin(front, share);
+            make(m_plan->fronts()[front], numbers, share);
             assemble(front, numbers);
-            eliminate(numbers, phases);
+            eliminateFront(numbers);
             finish(front, numbers);
-        }
+        };
+        phases.forChunks(static_cast<unsigned>(chunks.size()), [&](unsigned chunk, unsigned share) {
+            for (unsigned front = chunks[chunk].begin; front < chunks[chunk].end && isRegular(); ++front)
+                factoriseFront(front, share, [this](const dxFrontNumbers &numbers) { eliminate(numbers); });
+        });
+        for (std::size_t i = 0; i < m_plan->top().size() && isRegular(); ++i)
+            factoriseFront(m_plan->top()[i], 0, [&](const dxFrontNumbers &numbers) { eliminate(numbers, phases); });
         return isRegular();
     }
 

@@ -37,7 +37,7 @@ void dxFrontPlan::makeFronts(const dxEliminationOrder &order) {
         if (goesOn)
             m_fronts.back().end = joint + 1;
         else
-            m_fronts.push_back({joint, joint + 1, 0, 0, 0, 0, 0, 0, 0, 0, 0});
+            m_fronts.push_back({joint, joint + 1});
         m_frontOf.push_back(static_cast<unsigned>(m_fronts.size()) - 1);
         blocksBefore = blocks;
     }

@@ -27,12 +27,12 @@ public:
     static constexpr unsigned kLine = 8;  // numbers
 
     struct Front {
-        unsigned begin, end;            // joints that are eliminated, by place
-        unsigned pivots, rows;          // numbers of scalar rows: of these joints, and of those below
-        unsigned firstRow, endRow;      // of rowJoints()
-        unsigned firstChild, endChild;  // of children()
-        std::size_t panel;              // first number of its panel, the columns of its pivots
-        std::size_t madeAt, update;     // first number of its update, when it is made, and later
+        unsigned begin, end;                    // joints that are eliminated, by place
+        unsigned pivots = 0, rows = 0;          // numbers of scalar rows: of these joints, and of those below
+        unsigned firstRow = 0, endRow = 0;      // of rowJoints()
+        unsigned firstChild = 0, endChild = 0;  // of children()
+        std::size_t panel = 0;                  // first number of its panel, the columns of its pivots
+        std::size_t madeAt = 0, update = 0;     // first number of its update, when it is made, and later
 
         // Numbers of a column of the panel: the front's rows and the right-hand side, padded to lines. Those of an update begin with the line
         // in which the first row below the pivots is.
